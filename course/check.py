@@ -1,0 +1,81 @@
+"""A student's own check: verdicts on one file as far as the sheet's mode allows, from the numbers in the sheet itself."""
+
+import json
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, get_args
+
+from ..exercises.catalogue import exercise_files, find
+from ..exercises.exercise import Exercise
+from ..grader.collect import Ask, Limits, Raw
+from ..grader.mark import mark
+from ..grader.own_work import Remark, remarks
+from ..grader.verdict import STATUS_WORDS, Verdict
+from .config import CourseError, Mode
+from .notebook import KEY
+from .submissions import read_submission
+
+
+@dataclass(frozen=True)
+class Handout:
+    """What a handed-out notebook says of itself."""
+
+    sheet: str
+    mode: Mode
+    numbers: Mapping[str, dict[str, Any]]
+
+
+def check_file(path: Path, sheet: Path | None = None) -> tuple[Handout, list[Remark]]:
+    """Remarks on every part of a student's file. `sheet` is the handed-out notebook, where the file is not one.
+
+    Raises:
+        CourseError: a file cannot be read, or does not say which sheet it belongs to.
+        ExerciseError: an exercise is not installed here.
+    """
+    submission = read_submission(path)
+    handout = read_handout(sheet or path)
+    files = exercise_files()
+    exercises = [find(slug, files) for slug in handout.numbers]
+    asks = [Ask(part.variable) for exercise in exercises for part in exercise.asked]
+    raws = submission.raws(asks, Limits())
+    found: list[Remark] = []
+    for exercise in exercises:
+        try:
+            found += _remarks(handout.mode, exercise, handout.numbers[exercise.slug], raws)
+        except (KeyError, TypeError, ValueError) as error:
+            raise CourseError(f"{path}: the numbers of {exercise.slug} in this sheet are damaged: {error!r}") from error
+    return handout, found
+
+
+def read_handout(path: Path) -> Handout:
+    """Sheet, mode and numbers from a notebook's metadata.
+
+    Raises:
+        CourseError: it is no notebook, or the metadata were lost; the sentence says what to do then.
+    """
+    try:
+        about: Any = json.loads(path.read_bytes())["metadata"][KEY]
+        numbers, mode = dict(about["numbers"]), about["mode"]
+        if mode not in get_args(Mode) or not all(isinstance(v, dict) for v in numbers.values()):
+            raise ValueError(mode)
+        return Handout(str(about["sheet"]), mode, numbers)
+    except OSError as error:
+        raise CourseError(f"{path} cannot be read: {error.strerror}") from error
+    except (ValueError, KeyError, TypeError, RecursionError) as error:
+        raise CourseError(
+            f"{path} does not say which sheet it belongs to (another program may have dropped that); "
+            "add the notebook as it was handed out: kinegrade check FILE --sheet HANDED_OUT.ipynb"
+        ) from error
+
+
+def _remarks(mode: Mode, exercise: Exercise, v: dict[str, Any], raws: Mapping[str, Raw]) -> Iterator[Remark]:
+    if mode == "practice":
+        return map(_told, mark(exercise, v, raws))
+    return remarks(exercise, v, raws, consistency=mode == "graded")
+
+
+def _told(verdict: Verdict) -> Remark:
+    """All of a verdict but the reference: status, reading, findings, and which entries are right."""
+    texts = [STATUS_WORDS[verdict.status], verdict.reading, *(f.text for f in verdict.findings if not f.private)]
+    return Remark(verdict.part, verdict.status == "correct", " ".join(text for text in texts if text))

@@ -1,0 +1,228 @@
+"""The command `kinegrade`. stdout carries data, stderr progress and complaints.
+
+Exit 0: done. 1: `check` found something wrong, or another command could not do its work. 2: wrong usage.
+"""
+
+import logging
+import sys
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from ..solutions.errors import KinegradeError
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from .config import Course, Sheet
+    from .gradebook import Gradebook
+    from .grading import Result
+
+app = typer.Typer(
+    help="Personal exercise sheets, worked solutions and marking for the robot Jacobian.",
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+CourseOption = Annotated[Path, typer.Option("--course", "-c", help="The course folder.")]
+SheetArguments = Annotated[list[str] | None, typer.Argument(help="Names of sheets; all when none is given.")]
+
+
+def main() -> None:
+    """Runs the command line; a complaint is one sentence, never a traceback."""
+    logging.basicConfig(level=logging.WARNING, format="%(levelname)s: %(message)s")
+    try:
+        app()
+    except KinegradeError as error:
+        sys.stderr.write(f"kinegrade: {error}\n")
+        sys.exit(1)
+    except OSError as error:
+        sys.stderr.write(f"kinegrade: {error.filename or 'a file'}: {error.strerror or error}\n")
+        sys.exit(1)
+    except KeyboardInterrupt:
+        sys.stderr.write("\nkinegrade: stopped; what was done is kept, and the same command goes on from there\n")
+        sys.exit(130)
+
+
+@app.command()
+def demo(
+    folder: Annotated[Path, typer.Argument(help="Where the course is built.")] = Path("demo-course"),
+) -> None:
+    """Build a course of 12 students, hand in what a class would, and mark it."""
+    from .demo import run_demo
+
+    run_demo(folder)
+
+
+@app.command()
+def init(folder: Annotated[Path, typer.Argument(help="A new course folder.")]) -> None:
+    """Write a commented course.toml and a roster.csv."""
+    from .config import write_course
+
+    write_course(folder)
+    print(f"{folder / 'course.toml'}\n{folder / 'roster.csv'}")
+    _say(f"Fill in roster.csv, then: kinegrade generate --course {folder}")
+
+
+@app.command()
+def generate(sheets: SheetArguments = None, course: CourseOption = Path()) -> None:
+    """Draw every student's numbers and write the notebooks that are not there yet."""
+    from .sheets import generate as write_sheets
+
+    with _opened(course) as (opened, gradebook):
+        chosen = opened.sheets(tuple(sheets or ()))
+        if not opened.students:
+            raise KinegradeError(f"{course / 'roster.csv'} has no students yet; add lines with an id and a name")
+        with progress("Writing sheets", len(opened.students) * len(chosen)) as step:
+            released = write_sheets(opened, gradebook, chosen, step)
+        for sheet in released:
+            if sheet.new:
+                print(sheet.path)
+        new = sum(sheet.new for sheet in released)
+        _say(f"{new} new, {len(released) - new} left as they were released.")
+
+
+@app.command()
+def grade(
+    sheets: SheetArguments = None,
+    course: CourseOption = Path(),
+    accept_change: Annotated[
+        bool, typer.Option("--accept-change", help="Mark by reference answers that changed since the hand-out.")
+    ] = False,
+    as_json: Annotated[bool, typer.Option("--json", help="Print JSON instead of a table.")] = False,
+) -> None:
+    """Mark what was handed in; write grades.csv, feedback and the report."""
+    from .tables import results_json
+
+    with _opened(course) as (opened, gradebook):
+        marked = mark_sheets(opened, gradebook, opened.sheets(tuple(sheets or ())), accept_change=accept_change)
+        if as_json:
+            print(results_json([result for _, results in marked for result in results]))
+        else:
+            show(opened, marked)
+
+
+@app.command()
+def check(
+    file: Annotated[Path, typer.Argument(help="Your notebook, .json or .csv.")],
+    sheet: Annotated[Path | None, typer.Option("--sheet", help="The notebook as it was handed out.")] = None,
+) -> None:
+    """Look at one's own answers, as far as the sheet's mode allows; needs no course folder."""
+    from .check import check_file
+
+    handout, found = check_file(file, sheet)
+    for remark in found:
+        print(f"{'✓' if remark.ok else '✗'} {remark.part:28} {remark.text}")
+    told = {
+        "practice": "Practice sheet: everything is told but the reference values.",
+        "graded": "Graded sheet: this tells whether answers can be read and fit each other, not whether they are right.",
+        "exam": "Exam sheet: this tells whether answers can be read, nothing more.",
+    }
+    _say(told[handout.mode])
+    raise typer.Exit(0 if all(remark.ok for remark in found) else 1)
+
+
+@app.command()
+def report(course: CourseOption = Path()) -> None:
+    """Write grades.csv, feedback and the report again from the gradebook, without marking."""
+    from .grading import recorded_results
+
+    with _opened(course) as (opened, gradebook):
+        print(write_results(opened, [(sheet, recorded_results(opened, gradebook, sheet)) for sheet in opened.sheets()]))
+
+
+@app.command()
+def plot(
+    robot: Annotated[str, typer.Argument(help="A robot of the catalogue, such as puma560.")],
+    output: Annotated[Path | None, typer.Option("--output", "-o", help="A .png, .svg or .pdf file.")] = None,
+) -> None:
+    """Draw workspace and singularities of a robot."""
+    from ..grader.maps import describe, save
+    from ..solutions.robots import robot as find_robot
+
+    arm = find_robot(robot)
+    path = output or Path(f"{robot}.png")
+    save(arm, path)
+    print(path)
+    _say(describe(arm))
+
+
+def mark_sheets(
+    course: "Course", gradebook: "Gradebook", sheets: "Sequence[Sheet]", *, accept_change: bool = False
+) -> "list[tuple[Sheet, list[Result]]]":
+    """Marks sheets with a progress bar and writes all that follows from the marks."""
+    from .grading import SheetMarker
+
+    marked: list[tuple[Sheet, list[Result]]] = []
+    with progress("Marking", len(course.students) * len(sheets)) as step:
+        for sheet in sheets:
+            marker = SheetMarker(course, gradebook, sheet, accept_change=accept_change)
+            marked.append((sheet, marker.results(step)))
+    write_results(course, marked)
+    return marked
+
+
+def write_results(course: "Course", marked: "Sequence[tuple[Sheet, Sequence[Result]]]") -> Path:
+    """grades.csv, one feedback page per student and sheet, and the report; the report's path."""
+    from .files import write_atomically
+    from .pages import write_feedback, write_report
+    from .sheets import exercises_of
+    from .tables import grades_csv
+
+    pages: list[Any] = []
+    for sheet, results in marked:
+        exercises = exercises_of(course, sheet)
+        parts = [part.variable for exercise in exercises for part in exercise.asked]
+        name = "grades.csv" if len(course.settings.sheet) == 1 else f"grades-{sheet.name}.csv"
+        write_atomically(course.folder / name, grades_csv(results, parts))
+        for result in results:
+            if result.verdicts:
+                write_feedback(course, sheet, exercises, result)
+        pages.append((sheet, exercises, results))
+    return write_report(course, pages)
+
+
+def show(course: "Course", marked: "Sequence[tuple[Sheet, Sequence[Result]]]") -> None:
+    """The table of every sheet on stdout, and where to look on stderr."""
+    from rich.console import Console
+
+    from .sheets import exercises_of
+    from .tables import legend, terminal_table
+
+    console = Console()
+    for sheet, results in marked:
+        parts = [part.variable for exercise in exercises_of(course, sheet) for part in exercise.asked]
+        console.print(f"[bold]{sheet.title or sheet.name}[/bold]: {', '.join(parts)}", highlight=False)
+        console.print(terminal_table(results, parts))
+    _say(legend())
+    _say(f"Report: {course.folder / 'report' / 'index.html'}")
+
+
+@contextmanager
+def _opened(folder: Path) -> "Iterator[tuple[Course, Gradebook]]":
+    from .config import read_course
+    from .gradebook import Gradebook
+
+    course = read_course(folder)
+    with Gradebook(folder / "gradebook.sqlite") as gradebook:
+        yield course, gradebook
+
+
+@contextmanager
+def progress(title: str, total: int) -> "Iterator[Callable[[], None]]":
+    """A bar on stderr; the yielded function advances it by one."""
+    from rich.console import Console
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+
+    columns = (TextColumn(title), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
+    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
+        task = bar.add_task(title, total=total)
+        yield lambda: bar.advance(task)
+
+
+def _say(text: str) -> None:
+    sys.stderr.write(text + "\n")

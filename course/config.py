@@ -1,0 +1,190 @@
+"""course.toml and roster.csv: read once, checked, with errors that point at the line or the key."""
+
+import csv
+import re
+import secrets
+import tomllib
+from collections.abc import Iterator
+from dataclasses import dataclass
+from difflib import get_close_matches
+from importlib.resources import files
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
+
+from ..solutions.errors import KinegradeError
+
+Mode = Literal["practice", "graded", "exam"]
+SAFE_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,63}")
+Name = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]{0,63}$")]
+
+
+class CourseError(KinegradeError):
+    """course.toml, roster.csv or the course folder is not as it should be."""
+
+
+class _Strict(BaseModel):
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+
+class Sheet(_Strict):
+    """One hand-out: its exercises in order, and what a check may tell before the deadline."""
+
+    name: Name
+    title: str = ""
+    mode: Mode = "graded"
+    exercises: Annotated[tuple[str, ...], Field(min_length=1)]
+
+
+class LimitsTable(_Strict):
+    """What one notebook may use while it is marked."""
+
+    cell_seconds: Annotated[float, Field(gt=0, le=600)] = 5.0
+    notebook_seconds: Annotated[float, Field(gt=0, le=3600)] = 30.0
+    memory_mb: Annotated[int, Field(ge=256)] = 2048
+
+
+class Settings(_Strict):
+    """All of course.toml."""
+
+    title: str
+    secret: Annotated[str, Field(min_length=16)]
+    sheet: Annotated[tuple[Sheet, ...], Field(min_length=1)]
+    limits: LimitsTable = LimitsTable()
+
+
+@dataclass(frozen=True)
+class Student:
+    """One line of roster.csv."""
+
+    id: str
+    name: str
+
+
+@dataclass(frozen=True)
+class Course:
+    """A course folder as it was read."""
+
+    folder: Path
+    settings: Settings
+    students: tuple[Student, ...]
+
+    def sheets(self, names: tuple[str, ...] = ()) -> tuple[Sheet, ...]:
+        """The named sheets, or all.
+
+        Raises:
+            CourseError: a name is not that of a sheet.
+        """
+        known = {sheet.name: sheet for sheet in self.settings.sheet}
+        for name in names:
+            if name not in known:
+                raise CourseError(
+                    f"there is no sheet {name!r}{_nearest(name, known)}; course.toml has: {', '.join(known)}"
+                )
+        return tuple(known[name] for name in names) or self.settings.sheet
+
+
+def read_course(folder: Path) -> Course:
+    """The course in a folder.
+
+    Raises:
+        CourseError: a file is missing, unreadable, or says something that cannot be meant.
+    """
+    settings = read_settings(folder / "course.toml")
+    return Course(folder, settings, tuple(read_roster(folder / "roster.csv")))
+
+
+def read_settings(path: Path) -> Settings:
+    """course.toml, with every key known and every value possible."""
+    text = _text(path, "a course folder takes a course.toml; `kinegrade init DIR` writes one")
+    try:
+        settings = Settings.model_validate(tomllib.loads(text))
+    except tomllib.TOMLDecodeError as error:
+        raise CourseError(f"{path}: not TOML: {error}") from error
+    except ValidationError as error:
+        raise CourseError(f"{path}: {_sentence(error.errors()[0])}") from error
+    names = [sheet.name for sheet in settings.sheet]
+    for name in names:
+        if names.count(name) > 1:
+            raise CourseError(f"{path}: two sheets are called {name!r}; a sheet takes a name of its own")
+    return settings
+
+
+def _sentence(error: Any) -> str:
+    where = ".".join(str(step + 1) if isinstance(step, int) else str(step) for step in error["loc"])
+    if error["type"] == "extra_forbidden":
+        keys = _valid_keys(error["loc"][:-1])
+        return f"unknown key {where!r}{_nearest(str(error['loc'][-1]), keys)}; valid here: {', '.join(keys)}"
+    if error["type"] == "missing":
+        return f"the key {where!r} is missing"
+    return f"{where}: {error['msg'][:1].lower()}{error['msg'][1:]}, got {_shown(error['loc'], error['input'])}"
+
+
+def _shown(where: tuple[Any, ...], value: Any) -> str:
+    return "something else" if "secret" in where else repr(value)[:60]
+
+
+def _valid_keys(where: tuple[Any, ...]) -> list[str]:
+    table: Any = {"sheet": Sheet, "limits": LimitsTable}.get(str(where[0]), Settings) if where else Settings
+    return list(table.model_fields)
+
+
+def _nearest(name: str, known: Any) -> str:
+    near = get_close_matches(name, known, 1)
+    return f" (did you mean {near[0]!r}?)" if near else ""
+
+
+def read_roster(path: Path) -> Iterator[Student]:
+    """Students in the order of roster.csv, which takes the columns student and name."""
+    rows = csv.DictReader(_text(path, "a course folder takes a roster.csv with the columns student,name").splitlines())
+    columns = [column.strip() for column in rows.fieldnames or ()]
+    for column in ("student", "name"):
+        if column not in columns:
+            raise CourseError(
+                f"{path}: the column {column!r} is missing; the first line has: {', '.join(columns) or 'nothing'}"
+            )
+    seen: dict[str, int] = {}
+    for row in rows:
+        line = rows.line_num
+        cells = {
+            (key or "").strip(): (value or "").strip() for key, value in row.items() if not isinstance(value, list)
+        }
+        if not any(cells.values()):
+            continue
+        student = cells["student"]
+        if not SAFE_NAME.fullmatch(student):
+            raise CourseError(
+                f"{path}, line {line}: a student takes an id of letters, digits, '.', '_' and '-' (it names a folder), got {student!r}"
+            )
+        if student.casefold() in seen:
+            raise CourseError(f"{path}, line {line}: student {student!r} is already in line {seen[student.casefold()]}")
+        seen[student.casefold()] = line
+        yield Student(student, cells["name"] or student)
+
+
+def _text(path: Path, missing: str) -> str:
+    try:
+        return path.read_text(encoding="utf-8-sig")
+    except FileNotFoundError:
+        raise CourseError(f"{path} is not there: {missing}") from None
+    except (OSError, UnicodeDecodeError) as error:
+        raise CourseError(f"{path} cannot be read as UTF-8 text: {error}") from error
+
+
+def write_course(folder: Path, title: str = "The robot Jacobian") -> None:
+    """A new course folder with a commented course.toml, a secret of its own and a roster to fill in.
+
+    Raises:
+        CourseError: the folder already holds a course.
+    """
+    if (folder / "course.toml").exists():
+        raise CourseError(f"{folder / 'course.toml'} is already there; init never overwrites a course")
+    template = files("kinegrade.course").joinpath("templates/course.toml").read_text(encoding="utf-8")
+    folder.mkdir(parents=True, exist_ok=True)
+    text = template.replace("@TITLE@", title).replace("@SECRET@", secrets.token_hex(32))
+    (folder / "course.toml").write_text(text, encoding="utf-8")
+    if not (folder / "roster.csv").exists():
+        (folder / "roster.csv").write_text(
+            "student,name\nstudent01,First Student\nstudent02,Second Student\n", encoding="utf-8"
+        )

@@ -1,0 +1,76 @@
+# pyright: basic
+"""LaTeX of drawn numbers, matrices and closed forms, and MathML of LaTeX for pages."""
+
+import re
+from functools import lru_cache
+from html import escape
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..solutions.expression import latex_name
+
+UNIT_LATEX = {"m": r"\mathrm{m}", "rad": r"\mathrm{rad}", "m/s": r"\mathrm{m/s}", "rad/s": r"\mathrm{rad/s}", "1": ""}
+SPECIAL_NAMES = {"q": r"\mathbf{q}", "qdot_b": r"\dot{\mathbf{q}}_b", "vx_c": r"v_{x,c}"}
+
+
+def number(value: float, decimals: int) -> str:
+    """A number with that many decimals and no minus sign before zero."""
+    text = f"{value:.{decimals}f}"
+    return text[1:] if text.startswith("-") and not text.strip("-0.") else text
+
+
+def matrix(values: ArrayLike, decimals: int) -> str:
+    """LaTeX of numbers (n,), (m, n) or a stack (k, m, n) side by side; a vector is a column."""
+    array = np.asarray(values, dtype=float)
+    if array.ndim == 0:
+        return number(float(array), decimals)
+    if array.ndim == 3:
+        return r",\quad ".join(matrix(part, decimals) for part in array)
+    rows = array[:, None] if array.ndim == 1 else array
+    body = r" \\ ".join(" & ".join(number(x, decimals) for x in row) for row in rows)
+    return rf"\begin{{bmatrix}} {body} \end{{bmatrix}}"
+
+
+def closed_form(expression: Any) -> str:
+    """LaTeX of a sympy expression or matrix, with c_1 for cos q_1 and s_23 for sin(q_2 + q_3)."""
+    immutable = expression.as_immutable() if hasattr(expression, "as_immutable") else expression
+    return _printed(immutable)
+
+
+@lru_cache(maxsize=1024)
+def _printed(expression: Any) -> str:
+    import sympy
+
+    from ..solutions.symbolic import shorthand
+
+    return sympy.latex(shorthand(expression), mat_str="bmatrix", mat_delim="")
+
+
+def given_number(name: str, value: Any, units: Any) -> str:
+    """LaTeX of one drawn number or vector with its unit."""
+    symbol = SPECIAL_NAMES.get(name) or latex_name(name)
+    if not isinstance(value, list):
+        return rf"{symbol} = {value}\,{UNIT_LATEX[units]}"
+    listed = [*units] if isinstance(units, list) else [units] * len(value)
+    if len(set(listed)) == 1:
+        inside = r",\; ".join(map(str, value))
+        return rf"{symbol} = ({inside})\,{UNIT_LATEX[listed[0]]}"
+    inside = r",\; ".join(rf"{x}\,{UNIT_LATEX[unit]}" for x, unit in zip(value, listed, strict=True))
+    return rf"{symbol} = ({inside})"
+
+
+def page_text(text: str) -> str:
+    """HTML of one line of our own Markdown: MathML between dollar signs, code between backticks, all else escaped."""
+    from latex2mathml.converter import convert
+
+    parts = re.split(r"(\$[^$]+\$|`[^`]+`)", text)
+    return "".join(
+        convert(part[1:-1])
+        if part.startswith("$")
+        else f"<code>{escape(part[1:-1])}</code>"
+        if part.startswith("`")
+        else escape(part)
+        for part in parts
+    )

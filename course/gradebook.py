@@ -1,0 +1,151 @@
+"""The gradebook: records and marks in one SQLite file, every change one transaction."""
+
+import json
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from sqlalchemy import Column, ColumnElement, Connection, Integer, MetaData, String, Table, Text, create_engine, select
+from sqlalchemy.exc import DatabaseError
+
+from ..grader.verdict import Verdict
+from .config import CourseError
+from .variant import Record
+
+FORMAT = "1"
+_metadata = MetaData()
+_meta = Table("meta", _metadata, Column("key", String, primary_key=True), Column("value", String, nullable=False))
+_records = Table(
+    "record",
+    _metadata,
+    Column("student", String, primary_key=True),
+    Column("sheet", String, primary_key=True),
+    Column("exercise", String, primary_key=True),
+    Column("attempt", Integer, nullable=False),
+    Column("numbers", Text, nullable=False),
+    Column("answers", Text, nullable=False),
+)
+_grades = Table(
+    "grade",
+    _metadata,
+    Column("student", String, primary_key=True),
+    Column("sheet", String, primary_key=True),
+    Column("submission", String, primary_key=True),  # hash of the bytes handed in
+    Column("rules", String, primary_key=True),  # hash of what they were marked by
+    Column("verdicts", Text, nullable=False),
+)
+_current = Table(
+    "current",
+    _metadata,
+    Column("student", String, primary_key=True),
+    Column("sheet", String, primary_key=True),
+    Column("submission", String, nullable=False),
+    Column("rules", String, nullable=False),
+)
+
+
+@dataclass(frozen=True)
+class GradeKey:
+    """What a grade belongs to; the attempts drawn are part of `rules`."""
+
+    student: str
+    sheet: str
+    submission: str
+    rules: str
+
+
+class Gradebook:
+    """Records and marks of one course."""
+
+    def __init__(self, path: Path) -> None:
+        """Opens the file, or makes it.
+
+        Raises:
+            CourseError: the file is not a gradebook, or one of a later version.
+        """
+        self._engine = create_engine(f"sqlite:///{path}")
+        try:
+            _metadata.create_all(self._engine)
+            with self.transaction() as connection:
+                found = connection.scalar(select(_meta.c.value).where(_meta.c.key == "format"))
+                if found is None:
+                    connection.execute(_meta.insert().values(key="format", value=FORMAT))
+                elif found != FORMAT:
+                    raise CourseError(f"{path}: the gradebook has format {found}; this version reads {FORMAT}")
+        except DatabaseError as error:
+            self.close()
+            raise CourseError(f"{path}: not a readable gradebook: {error.orig}") from error
+
+    def close(self) -> None:
+        """Lets go of the file."""
+        self._engine.dispose()
+
+    def __enter__(self) -> "Gradebook":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    @contextmanager
+    def transaction(self) -> Iterator[Connection]:
+        """All of what is done inside, or nothing."""
+        with self._engine.begin() as connection:
+            yield connection
+
+    def records(self, sheet: str) -> list[Record]:
+        """Everything drawn for a sheet."""
+        with self._engine.connect() as connection:
+            rows = connection.execute(select(_records).where(_records.c.sheet == sheet)).mappings().all()
+        return [_record(dict(row)) for row in rows]
+
+    def save_records(self, records: Sequence[Record]) -> None:
+        """Adds the records of one student's sheet, together or not at all."""
+        with self.transaction() as connection:
+            for record in records:
+                connection.execute(_records.insert().values(**_row(record)))
+
+    def accept_answers(self, record: Record, answers: dict[str, Any]) -> None:
+        """Replaces a record's fingerprint after the instructor accepted that the reference changed."""
+        key = {"student": record.student, "sheet": record.sheet, "exercise": record.exercise}
+        with self.transaction() as connection:
+            connection.execute(_records.update().where(*_same(_records, key)).values(answers=json.dumps(answers)))
+
+    def verdicts(self, key: GradeKey) -> list[Verdict] | None:
+        """What this submission got by these rules, or None when it was never marked by them."""
+        with self._engine.connect() as connection:
+            text = connection.scalar(select(_grades.c.verdicts).where(*_same(_grades, vars(key))))
+        return None if text is None else _verdicts(text)
+
+    def save_grade(self, key: GradeKey, verdicts: Sequence[Verdict]) -> None:
+        """The grade and that it is the current one, in one transaction."""
+        text = json.dumps([verdict.to_json() for verdict in verdicts])
+        with self.transaction() as connection:
+            connection.execute(_grades.delete().where(*_same(_grades, vars(key))))
+            connection.execute(_grades.insert().values(**vars(key), verdicts=text))
+            connection.execute(_current.delete().where(*_same(_current, {"student": key.student, "sheet": key.sheet})))
+            connection.execute(_current.insert().values(**vars(key)))
+
+    def current(self, sheet: str) -> dict[str, list[Verdict]]:
+        """Student to verdicts: what counts now."""
+        same = [_current.c[name] == _grades.c[name] for name in ("student", "sheet", "submission", "rules")]
+        query = select(_grades.c.student, _grades.c.verdicts).where(*same, _current.c.sheet == sheet)
+        with self._engine.connect() as connection:
+            return {student: _verdicts(text) for student, text in connection.execute(query)}
+
+
+def _same(table: Table, key: Mapping[str, str]) -> list[ColumnElement[bool]]:
+    return [table.c[name] == value for name, value in key.items()]
+
+
+def _row(record: Record) -> dict[str, Any]:
+    return {**vars(record), "numbers": json.dumps(record.numbers), "answers": json.dumps(record.answers)}
+
+
+def _record(row: dict[str, Any]) -> Record:
+    return Record(**{**row, "numbers": json.loads(row["numbers"]), "answers": json.loads(row["answers"])})
+
+
+def _verdicts(text: str) -> list[Verdict]:
+    return [Verdict.from_json(data) for data in json.loads(text)]

@@ -1,0 +1,152 @@
+"""Feedback for each student and a report for the instructor, as HTML that needs nothing else."""
+
+from collections import Counter
+from collections.abc import Sequence
+from functools import cache
+from importlib.resources import files
+from pathlib import Path
+from typing import Any
+
+from jinja2 import BaseLoader, Environment, Template
+from markupsafe import Markup
+
+from ..exercises.exercise import Exercise, Numbers, Part
+from ..grader.verdict import STATUS_WORDS, Verdict
+from .config import Course, Sheet
+from .files import write_atomically
+from .formulas import number, page_text
+from .grading import Result
+from .tables import MARKS, points_text, remark, status
+
+
+def write_feedback(course: Course, sheet: Sheet, exercises: Sequence[Exercise], result: Result) -> Path:
+    """feedback/<student>/<sheet>.html: every part, every entry, and what was found; no reference value."""
+    path = course.folder / "feedback" / result.student.id / f"{sheet.name}.html"
+    verdicts = {verdict.part: verdict for verdict in result.verdicts}
+    blocks = [
+        {
+            "title": exercise.title,
+            "parts": [_part(part, verdicts[part.variable]) for part in exercise.asked if part.variable in verdicts],
+        }
+        for exercise in exercises
+    ]
+    html = _template("feedback.html").render(
+        course=course.settings.title,
+        sheet=sheet.title or sheet.name,
+        student=result.student,
+        points=points_text(result),
+        waiting=status(result) == "not_graded",
+        blocks=blocks,
+    )
+    write_atomically(path, html)
+    return path
+
+
+def _part(part: Part, verdict: Verdict) -> dict[str, Any]:
+    return {
+        "variable": part.variable,
+        "prompt": Markup(page_text(part.prompt)),  # noqa: S704 - page_text escapes
+        "status": verdict.status,
+        "words": STATUS_WORDS[verdict.status],
+        "mark": MARKS[verdict.status],
+        "points": "–" if verdict.points is None else f"{verdict.points:g}",
+        "out_of": f"{verdict.out_of:g}",
+        "reading": verdict.reading,
+        "findings": [finding.text for finding in verdict.findings if not finding.private],
+        "matrices": list(_matrices(part, verdict)),
+    }
+
+
+def _matrices(part: Part, verdict: Verdict) -> list[list[list[dict[str, Any]]]]:
+    """The answer as tables of cells with a text and whether it is right; a stack gives several."""
+    if verdict.answer is None or verdict.right is None:
+        return []
+    answer, right = verdict.answer, verdict.right
+    depth = _depth(right)
+    if depth == 1:
+        answer, right = [[x] for x in answer], [[x] for x in right]
+    if depth < 3:
+        answer, right = [answer], [right]
+    decimals = part.answer.decimals if isinstance(part.answer, Numbers) else 0
+    return [
+        [
+            [
+                {"text": x if isinstance(x, str) else number(x, decimals), "right": ok}
+                for x, ok in zip(xs, oks, strict=True)
+            ]
+            for xs, oks in zip(rows, flags, strict=True)
+        ]
+        for rows, flags in zip(answer, right, strict=True)
+    ]
+
+
+def _depth(nested: Any) -> int:
+    return 1 + _depth(nested[0]) if isinstance(nested, list) else 0  # pyright: ignore[reportUnknownArgumentType]
+
+
+def write_report(course: Course, sheets: Sequence[tuple[Sheet, Sequence[Exercise], Sequence[Result]]]) -> Path:
+    """report/index.html: the class, part by part, with the maps of the robots that were asked about."""
+    path = course.folder / "report" / "index.html"
+    blocks = [_sheet_block(sheet, exercises, results) for sheet, exercises, results in sheets]
+    robots = {exercise.robot for _, exercises, _ in sheets for exercise in exercises if exercise.robot}
+    figures = [_figure(path.parent, name) for name in sorted(robots)]
+    write_atomically(
+        path, _template("report.html").render(course=course.settings.title, sheets=blocks, figures=figures)
+    )
+    return path
+
+
+def _sheet_block(sheet: Sheet, exercises: Sequence[Exercise], results: Sequence[Result]) -> dict[str, Any]:
+    parts = [part for exercise in exercises for part in exercise.asked]
+    rows = [
+        {
+            "student": result.student,
+            "feedback": f"../feedback/{result.student.id}/{sheet.name}.html" if result.verdicts else "",
+            "cells": [_cell(result, part) for part in parts],
+            "points": points_text(result),
+            "remark": remark(result),
+            "private": [f.text for verdict in result.verdicts for f in verdict.findings if f.private],
+        }
+        for result in results
+    ]
+    return {
+        "title": sheet.title or sheet.name,
+        "mode": sheet.mode,
+        "parts": [
+            {"variable": part.variable, "points": f"{part.points:g}", "counts": _counts(results, part)}
+            for part in parts
+        ],
+        "rows": rows,
+        "graded": sum(status(result) == "graded" for result in results),
+        "waiting": sum(status(result) == "not_graded" for result in results),
+        "missing": sum(status(result) == "no_submission" for result in results),
+    }
+
+
+def _cell(result: Result, part: Part) -> dict[str, str]:
+    for verdict in result.verdicts:
+        if verdict.part == part.variable:
+            return {"status": verdict.status, "mark": MARKS[verdict.status], "words": STATUS_WORDS[verdict.status]}
+    return {"status": "none", "mark": "", "words": "no submission"}
+
+
+def _counts(results: Sequence[Result], part: Part) -> str:
+    counts = Counter(v.status for result in results for v in result.verdicts if v.part == part.variable)
+    return ", ".join(f"{counts[kind]} {words}" for kind, words in STATUS_WORDS.items() if counts[kind])
+
+
+def _figure(folder: Path, name: str) -> dict[str, str]:
+    from ..grader.maps import describe, save
+    from ..solutions.robots import robot
+
+    folder.mkdir(parents=True, exist_ok=True)
+    save(robot(name), folder / f"{name}.png")
+    return {"file": f"{name}.png", "title": robot(name).title, "alt": describe(robot(name))}
+
+
+@cache
+def _template(name: str) -> Template:
+    environment = Environment(loader=BaseLoader(), autoescape=True, trim_blocks=True, lstrip_blocks=True)
+    style = files("kinegrade.course").joinpath("templates/style.css").read_text(encoding="utf-8")
+    environment.globals["style"] = Markup(style)  # noqa: S704 - our own file
+    return environment.from_string(files("kinegrade.course").joinpath(f"templates/{name}").read_text(encoding="utf-8"))

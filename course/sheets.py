@@ -1,0 +1,89 @@
+"""Handing out: draw what is not drawn yet, write what is not written yet, never touch what is released."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from ..exercises.catalogue import exercise_files, find
+from ..exercises.exercise import Exercise
+from .config import Course, CourseError, Sheet, Student
+from .files import write_atomically
+from .gradebook import Gradebook
+from .notebook import sheet_notebook, solution_notebook
+from .variant import Record, canonical, draw_record
+
+
+@dataclass(frozen=True)
+class Released:
+    """What `generate` did for one student's sheet."""
+
+    student: str
+    sheet: str
+    path: Path
+    new: bool
+
+
+def exercises_of(course: Course, sheet: Sheet) -> list[Exercise]:
+    """The exercises of a sheet, in order.
+
+    Raises:
+        ExerciseError: one is unknown or broken.
+        CourseError: two exercises ask for variables of the same name.
+    """
+    files = exercise_files(course.folder / "exercises")
+    exercises = [find(slug, files) for slug in sheet.exercises]
+    names = [part.variable for exercise in exercises for part in exercise.asked]
+    for name in names:
+        if names.count(name) > 1:
+            raise CourseError(f"sheet {sheet.name}: {name} is asked twice; answers are collected by name")
+    return exercises
+
+
+def generate(
+    course: Course, gradebook: Gradebook, sheets: tuple[Sheet, ...], step: Callable[[], None] = lambda: None
+) -> list[Released]:
+    """A notebook and a solution for every student on every sheet; `step` is called after each."""
+    done: list[Released] = []
+    for sheet in sheets:
+        exercises = exercises_of(course, sheet)
+        drawn = {(record.student, record.exercise): record for record in gradebook.records(sheet.name)}
+        for student in course.students:
+            records = _records(course, gradebook, sheet, student, exercises, drawn)
+            done.append(_release(course, sheet, student, exercises, records))
+            step()
+    return done
+
+
+def _records(
+    course: Course,
+    gradebook: Gradebook,
+    sheet: Sheet,
+    student: Student,
+    exercises: list[Exercise],
+    drawn: dict[tuple[str, str], Record],
+) -> list[Record]:
+    """The student's records, drawn and saved where they are missing."""
+    fresh: list[Record] = []
+    for exercise in exercises:
+        key = (student.id, exercise.slug)
+        if key in drawn:
+            continue
+        taken = {canonical(record.numbers) for record in drawn.values() if record.exercise == exercise.slug}
+        drawn[key] = draw_record(course.settings.secret, sheet.name, student.id, exercise, taken)
+        fresh.append(drawn[key])
+    gradebook.save_records(fresh)
+    return [drawn[student.id, exercise.slug] for exercise in exercises]
+
+
+def _release(
+    course: Course, sheet: Sheet, student: Student, exercises: list[Exercise], records: list[Record]
+) -> Released:
+    path = course.folder / "released" / student.id / f"{sheet.name}.ipynb"
+    solution = course.folder / "solutions" / student.id / f"{sheet.name}.ipynb"
+    pairs = list(zip(exercises, (record.numbers for record in records), strict=True))
+    new = not path.exists()
+    if new:
+        write_atomically(path, sheet_notebook(course.settings.title, sheet, student, pairs))
+    if new or not solution.exists():
+        write_atomically(solution, solution_notebook(course.settings.title, sheet, student, pairs))
+    return Released(student.id, sheet.name, path, new)

@@ -1,0 +1,59 @@
+"""What students handed in: found by name, read as bytes, turned into raw values."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from ..grader.collect import Ask, Limits, Raw, collect
+from ..grader.named_matrices import from_csv, from_json
+from .config import CourseError
+
+MAX_BYTES = 25 << 20
+Reader = Callable[[bytes, Sequence[Ask], Limits], dict[str, Raw]]
+READERS: dict[str, Reader] = {
+    ".ipynb": collect,
+    ".json": lambda data, asks, _: from_json(data, asks),
+    ".csv": lambda data, asks, _: from_csv(data, asks),
+}
+
+
+@dataclass(frozen=True)
+class Submission:
+    """One file as it was handed in."""
+
+    path: Path
+    data: bytes
+
+    def raws(self, asks: Sequence[Ask], limits: Limits) -> dict[str, Raw]:
+        """The asked values; runs the notebook, or reads the file of matrices."""
+        return READERS[self.path.suffix](self.data, asks, limits)
+
+
+def find_submission(folder: Path, student: str, sheet: str) -> Submission | None:
+    """The student's file for a sheet, a notebook before .json before .csv; None when there is none.
+
+    Raises:
+        CourseError: the file is there and cannot be read.
+    """
+    for suffix in READERS:
+        path = folder / "submitted" / student / f"{sheet}{suffix}"
+        if path.is_file():
+            return read_submission(path)
+    return None
+
+
+def read_submission(path: Path) -> Submission:
+    """The bytes of one file.
+
+    Raises:
+        CourseError: it cannot be read, is too large, or has an ending that cannot be marked.
+    """
+    if path.suffix not in READERS:
+        raise CourseError(f"{path}: a submission takes one of the endings {', '.join(READERS)}, got {path.suffix!r}")
+    try:
+        size = path.stat().st_size
+        if size > MAX_BYTES:
+            raise CourseError(f"{path} has {size >> 20} MB; a submission may have {MAX_BYTES >> 20} MB")
+        return Submission(path, path.read_bytes())
+    except OSError as error:
+        raise CourseError(f"{path} cannot be read: {error.strerror}") from error

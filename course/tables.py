@@ -1,0 +1,99 @@
+"""Results as a table on the terminal, as grades.csv, and as JSON."""
+
+import csv
+import io
+import json
+from collections.abc import Sequence
+
+from rich.table import Table
+
+from ..grader.verdict import STATUS_WORDS
+from .grading import Result
+
+MARKS = {"correct": "✓", "partly": "◐", "incorrect": "✗", "missing": "–", "failed": "!", "not_graded": "?"}
+
+
+def terminal_table(results: Sequence[Result], parts: Sequence[str]) -> Table:
+    """One line per student: a mark for every part, points, and the first thing worth knowing."""
+    table = Table(title=None, header_style="bold", pad_edge=False)
+    table.add_column("student", no_wrap=True)
+    table.add_column("parts", no_wrap=True)
+    table.add_column("points", justify="right", no_wrap=True)
+    table.add_column("first remark", overflow="ellipsis", no_wrap=True)
+    for result in results:
+        marks = {verdict.part: MARKS[verdict.status] for verdict in result.verdicts}
+        shown = " ".join(marks.get(part, " ") for part in parts)
+        table.add_row(result.student.id, shown, points_text(result), remark(result))
+    return table
+
+
+def legend() -> str:
+    """What the marks mean."""
+    return "   ".join(f"{mark} {STATUS_WORDS[status]}" for status, mark in MARKS.items())  # pyright: ignore[reportArgumentType]
+
+
+def points_text(result: Result) -> str:
+    """Points of a result, or what stands in their place."""
+    if result.points is not None:
+        return f"{result.points:g} / {result.out_of:g}"
+    return "not graded" if result.verdicts else "—"
+
+
+def remark(result: Result) -> str:
+    """The reason why nothing was marked, else the first finding."""
+    if result.reason:
+        return result.reason
+    for verdict in result.verdicts:
+        for finding in verdict.findings:
+            return f"{verdict.part}: {finding.text}"
+    return ""
+
+
+def grades_csv(results: Sequence[Result], parts: Sequence[str]) -> str:
+    """Every cell quoted; a grade that is not there is empty, never a zero."""
+    out = io.StringIO()
+    writer = csv.writer(out, quoting=csv.QUOTE_ALL, lineterminator="\n")
+    writer.writerow(["student", "name", "sheet", "status", "points", "out_of", *parts])
+    for result in results:
+        points = {verdict.part: verdict.points for verdict in result.verdicts}
+        writer.writerow(
+            [
+                result.student.id,
+                _no_formula(result.student.name),
+                result.sheet,
+                status(result),
+                "" if result.points is None else f"{result.points:g}",
+                f"{result.out_of:g}" if result.verdicts else "",
+                *("" if points.get(part) is None else f"{points[part]:g}" for part in parts),
+            ]
+        )
+    return out.getvalue()
+
+
+def status(result: Result) -> str:
+    """graded, not_graded or no_submission."""
+    if result.points is not None:
+        return "graded"
+    return "not_graded" if result.verdicts else "no_submission"
+
+
+def _no_formula(text: str) -> str:
+    """Spreadsheets run cells that start like a formula."""
+    return f"'{text}" if text[:1] in "=+-@\t\r" else text
+
+
+def results_json(results: Sequence[Result]) -> str:
+    """Everything a script would want."""
+    data = [
+        {
+            "student": result.student.id,
+            "sheet": result.sheet,
+            "status": status(result),
+            "points": result.points,
+            "out_of": result.out_of,
+            "reason": result.reason,
+            "parts": [verdict.to_json() for verdict in result.verdicts],
+        }
+        for result in results
+    ]
+    return json.dumps(data, indent=2)

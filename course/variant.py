@@ -1,0 +1,80 @@
+"""A student's personal numbers: drawn from the course secret, recorded with a fingerprint of the answers."""
+
+import hashlib
+import hmac
+import json
+from collections.abc import Collection
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ..exercises.exercise import Exercise, ExerciseError, references
+from ..solutions.table import Table
+
+ATTEMPTS = 1000
+
+
+@dataclass(frozen=True)
+class Record:
+    """What was drawn for one student and exercise of a sheet, and what its answers came to."""
+
+    student: str
+    sheet: str
+    exercise: str
+    attempt: int
+    numbers: dict[str, Any]
+    answers: dict[str, Any]
+
+
+def draw_record(secret: str, sheet: str, student: str, exercise: Exercise, taken: Collection[str]) -> Record:
+    """The first attempt whose numbers nobody else has; `taken` holds recorded numbers as `canonical` text.
+
+    Raises:
+        ExerciseError: a thousand attempts drew nothing new; the exercise has too few variants for the class.
+    """
+    for attempt in range(ATTEMPTS):
+        numbers = json.loads(json.dumps(exercise.draw(generator(secret, sheet, exercise.slug, student, attempt))))
+        if canonical(numbers) not in taken:
+            return Record(student, sheet, exercise.slug, attempt, numbers, fingerprint(exercise, numbers))
+    raise ExerciseError(f"exercise {exercise.slug}: {ATTEMPTS} draws gave no new numbers; draw from a wider set")
+
+
+def generator(secret: str, *where: str | int) -> np.random.Generator:
+    """A generator seeded by HMAC-SHA256 of sheet, exercise, student and attempt under the course secret."""
+    digest = hmac.digest(secret.encode(), "\0".join(map(str, where)).encode(), "sha256")
+    return np.random.Generator(np.random.PCG64(int.from_bytes(digest, "big")))
+
+
+def canonical(numbers: Any) -> str:
+    """One text for equal numbers, to compare and to hash."""
+    return json.dumps(numbers, sort_keys=True, separators=(",", ":"))
+
+
+def fingerprint(exercise: Exercise, numbers: dict[str, Any]) -> dict[str, Any]:
+    """Every reference answer as numbers, rounded to 1e-9: it moves when a file, a row or a library changes one."""
+    return {name: _numbers(value, numbers) for name, value in references(exercise, numbers).items()}
+
+
+def _numbers(value: Any, v: dict[str, Any]) -> Any:
+    if isinstance(value, Table):
+        value = value.chain({name: x for name, x in v.items() if isinstance(x, int | float)}).fixed
+    rounded = np.round(np.asarray(value, dtype=float), 9) + 0.0  # no minus zero in the record
+    return rounded.tolist()
+
+
+def moved_parts(record: Record, exercise: Exercise) -> list[str]:
+    """Parts whose reference is no longer what was recorded when the sheet was handed out."""
+    now = fingerprint(exercise, record.numbers)
+    names = sorted(set(now) ^ set(record.answers))
+    return names + [name for name in now if name in record.answers and not _close(now[name], record.answers[name])]
+
+
+def _close(a: Any, b: Any) -> bool:
+    first, second = np.asarray(a, dtype=float), np.asarray(b, dtype=float)
+    return first.shape == second.shape and bool(np.allclose(first, second, rtol=0, atol=1e-8))
+
+
+def digest(data: bytes) -> str:
+    """A short name for some bytes."""
+    return hashlib.sha256(data).hexdigest()[:32]

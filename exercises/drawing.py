@@ -1,0 +1,52 @@
+"""What a figure of an arm shows, as data: the exercise says it, the grader's projector draws it."""
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from ..solutions.chain import Chain
+
+Point = tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class Dimension:
+    """A dimension line between two points in base coordinates [m], labelled with a parameter's symbol."""
+
+    start: Point
+    end: Point
+    name: str
+
+
+@dataclass(frozen=True, eq=False)
+class Triad:
+    """A frame drawn as three labelled arrows; `pose` is (4, 4) in base coordinates, `label` the subscript."""
+
+    pose: "NDArray[np.float64]"
+    label: str
+
+
+@dataclass(frozen=True, eq=False)
+class Drawing:
+    """An arm at one configuration `q` [rad, m], seen from `view` (azimuth, elevation) in degrees.
+
+    With `arrows`, each joint carries an arrow in its positive sense.
+    """
+
+    chain: "Chain"
+    q: tuple[float, ...]
+    caption: str
+    alt: str
+    triads: tuple[Triad, ...] = ()
+    dimensions: tuple[Dimension, ...] = ()
+    arrows: bool = True
+    view: tuple[float, float] = (-55.0, 22.0)
+
+
+def point(position: "NDArray[np.float64]") -> Point:
+    """The tuple of a position (3,)."""
+    x, y, z = (float(value) for value in position)
+    return x, y, z

@@ -1,0 +1,203 @@
+"""From a notebook to named raw values: the whole interface to student code.
+
+The notebook runs in a process of its own that holds no answer: a clean environment, an empty folder, limits on
+processor time, memory, file size, output and the wall clock, and an alarm for every cell.
+"""
+
+import json
+import os
+import resource
+import select
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Literal
+
+Kind = Literal["num", "text", "missing", "error"]
+RUNNER = Path(__file__).with_name("runner.py")
+MAX_FRAME = 4 << 20
+MAX_NOTEBOOK = 20 << 20
+
+
+@dataclass(frozen=True)
+class Ask:
+    """One variable to bring back."""
+
+    name: str
+
+
+@dataclass(frozen=True)
+class Limits:
+    """What one notebook may use: seconds on the clock for a cell and for all of it, memory and written files."""
+
+    cell_seconds: float = 5.0
+    notebook_seconds: float = 30.0
+    memory_mb: int = 2048
+    file_mb: int = 16
+
+
+@dataclass(frozen=True)
+class Raw:
+    """A value as it came out, not yet read: numbers (shape, re, im), nested text, or why there is none."""
+
+    kind: Kind
+    value: Any = None
+
+
+def collect(notebook: bytes, asks: Sequence[Ask], limits: Limits | None = None) -> dict[str, Raw]:
+    """The asked variables after all cells ran, by name; a cell that fails or loops costs only its own variables."""
+    limits = limits or Limits()
+    if len(notebook) > MAX_NOTEBOOK:
+        reason = f"the file has {len(notebook) >> 20} MB; a notebook may have {MAX_NOTEBOOK >> 20} MB"
+        return {ask.name: Raw("error", reason) for ask in asks}
+    request = {
+        "notebook": notebook.decode("utf-8", errors="replace"),
+        "asks": [ask.name for ask in asks],
+        "cell_seconds": limits.cell_seconds,
+    }
+    frame, why = _run(json.dumps(request).encode(), limits)
+    return _read_frame(frame, [ask.name for ask in asks], why)
+
+
+def _run(request: bytes, limits: Limits) -> tuple[bytes, str]:
+    """The last complete frame that the runner wrote, and why it was stopped (empty: it ended by itself)."""
+    with tempfile.TemporaryDirectory(prefix="notebook-", ignore_cleanup_errors=True) as folder:
+        ours, theirs = os.pipe()
+        try:
+            process = subprocess.Popen(  # noqa: S603 - the interpreter and our own runner
+                [sys.executable, "-I", str(RUNNER), str(theirs)],
+                stdin=subprocess.PIPE,
+                stdout=subprocess.DEVNULL,
+                stderr=subprocess.DEVNULL,
+                pass_fds=(theirs,),
+                cwd=folder,
+                env=_environment(folder),
+                start_new_session=True,
+            )
+        finally:
+            os.close(theirs)
+        _limit(process.pid, limits)
+        try:
+            data, why = _exchange(process, ours, request, limits.notebook_seconds)
+        finally:
+            os.close(ours)
+            _end(process)
+        return data, why
+
+
+def _environment(folder: str) -> dict[str, str]:
+    return {
+        "PATH": "/usr/bin:/bin",
+        "HOME": folder,
+        "TMPDIR": folder,
+        "LANG": "C.UTF-8",
+        "MPLBACKEND": "Agg",
+        "MPLCONFIGDIR": folder,
+        "OPENBLAS_NUM_THREADS": "1",  # one thread starts faster and fits the memory limit
+        "OMP_NUM_THREADS": "1",
+    }
+
+
+def _limit(pid: int, limits: Limits) -> None:
+    seconds = int(limits.notebook_seconds) + 1
+    megabyte = 1 << 20
+    for what, most in (
+        (resource.RLIMIT_CPU, seconds),
+        (resource.RLIMIT_AS, limits.memory_mb * megabyte),
+        (resource.RLIMIT_FSIZE, limits.file_mb * megabyte),
+        (resource.RLIMIT_NOFILE, 128),
+        (resource.RLIMIT_CORE, 0),
+    ):
+        resource.prlimit(pid, what, (most, most))
+
+
+def _exchange(process: "subprocess.Popen[bytes]", ours: int, request: bytes, seconds: float) -> tuple[bytes, str]:
+    """Hands the request over and reads frames until the runner ends, keeping only the newest complete one."""
+    end = time.monotonic() + seconds
+    _hand_over(process, request)
+    buffer, newest = b"", b""
+    while True:
+        left = end - time.monotonic()
+        if left <= 0:
+            return newest, f"the notebook was stopped after {seconds:g} s"
+        ready, _, _ = select.select([ours], [], [], left)
+        if not ready:
+            continue
+        chunk = os.read(ours, 1 << 16)
+        if not chunk:
+            return newest, ""
+        buffer += chunk
+        while len(buffer) >= 8:  # noqa: PLR2004 - a frame is its length in eight bytes, then JSON
+            length = int.from_bytes(buffer[:8], "little")
+            if length > MAX_FRAME:
+                return newest, "the notebook wrote more than its answers can hold"
+            if len(buffer) < 8 + length:
+                break
+            newest, buffer = buffer[8 : 8 + length], buffer[8 + length :]
+
+
+def _hand_over(process: "subprocess.Popen[bytes]", request: bytes) -> None:
+    assert process.stdin is not None  # noqa: S101 - Popen was given a pipe
+    try:
+        with process.stdin as pipe:
+            pipe.write(request)
+    except BrokenPipeError:
+        pass  # it ended before reading; the empty frame says so
+
+
+def _end(process: "subprocess.Popen[bytes]") -> None:
+    try:
+        os.killpg(process.pid, signal.SIGKILL)
+    except ProcessLookupError:
+        pass
+    process.wait()
+
+
+def _read_frame(frame: bytes, names: Sequence[str], why: str) -> dict[str, Raw]:
+    """Raw values from bytes that the student's process wrote: checked, never trusted."""
+    nothing = why or "the notebook ended its own process before it finished"
+    try:
+        values: Any = json.loads(frame) if frame else {}
+    except (ValueError, RecursionError):
+        values = {}
+    if not isinstance(values, dict):
+        values = {}
+    found: dict[str, Raw] = {name: _read_value(values.get(name)) for name in names}  # pyright: ignore[reportUnknownMemberType, reportUnknownArgumentType]
+    if why or not values:
+        unfinished = {name: Raw("error", nothing) for name, raw in found.items() if raw.kind == "missing"}
+        found |= unfinished
+    return found
+
+
+def _read_value(data: Any) -> Raw:
+    if not isinstance(data, dict):
+        return Raw("missing", "")
+    kind: Any = data.get("k")  # pyright: ignore[reportUnknownMemberType, reportUnknownVariableType]
+    value: Any = data.get("v")  # pyright: ignore[reportUnknownMemberType, reportUnknownVariableType]
+    if kind in ("missing", "error"):
+        return Raw(kind, str(value)[:400])
+    if kind == "text" and isinstance(value, list | str):
+        return Raw("text", value)
+    if kind == "num" and _is_numeric(value):
+        return Raw("num", value)
+    return Raw("error", "the value is not one that can be marked")
+
+
+def _is_numeric(value: Any) -> bool:
+    if not isinstance(value, dict) or set(value) != {"shape", "re", "im"}:  # pyright: ignore[reportUnknownArgumentType]
+        return False
+    shape, parts = value["shape"], (value["re"], value["im"])  # pyright: ignore[reportUnknownVariableType]
+    if not isinstance(shape, list) or not all(type(n) is int and 0 <= n <= 4096 for n in shape):  # pyright: ignore[reportUnknownVariableType]
+        return False
+    size = 1
+    for n in shape:  # pyright: ignore[reportUnknownVariableType]
+        size *= n  # pyright: ignore[reportUnknownVariableType]
+    return all(
+        isinstance(part, list) and len(part) in (0, size) and all(isinstance(x, float) for x in part)  # pyright: ignore[reportUnknownVariableType, reportUnknownArgumentType]
+        for part in parts  # pyright: ignore[reportUnknownVariableType]
+    )

@@ -1,0 +1,110 @@
+"""From raw values to answers of the declared kind: shape before anything else, then finite, then values."""
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..exercises.exercise import Answer, Numbers, TableOf, Variant
+from ..solutions.errors import KinegradeError
+from ..solutions.table import Table, read_table
+from .collect import Raw
+
+
+class Unreadable(KinegradeError):
+    """An answer that cannot be judged; the sentence is for the student."""
+
+
+def read(answer: Answer, raw: Raw, v: Variant) -> Any:
+    """The student's answer as the declared kind.
+
+    Raises:
+        Unreadable: nothing was handed in, or it is of another kind or shape; the sentence says what was expected.
+    """
+    if raw.kind == "missing":
+        raise Unreadable("not answered")
+    if raw.kind == "error":
+        raise Unreadable(str(raw.value))
+    return _READERS[type(answer)](answer, raw, v)
+
+
+def _numbers(answer: Numbers, raw: Raw, _: Variant) -> NDArray[np.float64]:
+    if raw.kind != "num":
+        raise Unreadable(f"takes numbers of shape {answer.shape}, got text: {_clip(raw.value)}")
+    array = _array(raw)
+    if np.iscomplexobj(array):
+        raise Unreadable("takes real numbers, got complex ones")
+    shape = array.shape
+    if shape != answer.shape and not (len(answer.shape) == 1 and sorted(shape) == sorted((1, *answer.shape))):
+        raise Unreadable(f"takes shape {answer.shape}, got {shape}{_shape_hint(shape, answer.shape)}")
+    if not np.isfinite(array).all():
+        where = tuple(int(i) + 1 for i in np.argwhere(~np.isfinite(array))[0])
+        raise Unreadable(f"takes finite numbers, got NaN or infinity, first at {_place(where)}")
+    return array.reshape(answer.shape)
+
+
+def _array(raw: Raw) -> NDArray[Any]:
+    real = np.array(raw.value["re"], dtype=float)
+    imaginary = np.array(raw.value["im"] or np.zeros_like(real))
+    array = real + 1j * imaginary if imaginary.any() else real
+    return array.reshape(raw.value["shape"])
+
+
+def _shape_hint(shape: tuple[int, ...], asked: tuple[int, ...]) -> str:
+    if len(shape) == 2 and shape[::-1] == asked:  # a transposed 6 x 3 matrix is 3 x 6
+        return ": rows and columns look exchanged"
+    if len(asked) == 2 and asked[0] == 6 and shape == (3, asked[1]):
+        return ": linear and angular rows are asked, three each"
+    return ""
+
+
+def _place(where: tuple[int, ...]) -> str:
+    if len(where) == 2:
+        return f"row {where[0]}, column {where[1]}"
+    return f"entry {', '.join(map(str, where))}"
+
+
+def _table(answer: TableOf, raw: Raw, v: Variant) -> Table:
+    joints = tuple(f"q{i}" for i in range(1, len(answer.kinds) + 1))
+    names = tuple(name for name in answer.names if name in v and name not in joints) + joints
+    cells = _cells(raw, (len(answer.kinds), 4))
+    for i, (row, kind) in enumerate(zip(cells, answer.kinds, strict=True)):
+        _complete(row, "RP".index(kind), i, v)
+    try:
+        return read_table(cells, names, answer.convention)
+    except KinegradeError as error:
+        raise Unreadable(str(error)) from error
+
+
+def _cells(raw: Raw, shape: tuple[int, int]) -> list[list[Any]]:
+    if raw.kind == "num":
+        array = _array(raw)
+        if array.shape == shape and np.isfinite(array).all():
+            return array.tolist()
+        raise Unreadable(f"takes a table of shape {shape}: theta, d, a, alpha for each joint, got {array.shape}")
+    cells: Any = raw.value
+    if not isinstance(cells, list) or not all(isinstance(row, list) for row in cells):
+        raise Unreadable(f"takes a list of {shape[0]} rows, got {_clip(cells)}")
+    counts = [len(row) for row in cells]
+    if counts != [shape[1]] * shape[0]:
+        raise Unreadable(f"takes {shape[0]} rows of theta, d, a, alpha, got rows of {counts} cells")
+    return [[cell if isinstance(cell, str) else str(cell) for cell in row] for row in cells]
+
+
+def _complete(row: list[Any], at: int, joint: int, v: Variant) -> None:
+    """A number where the joint variable belongs is read as the value at the student's q."""
+    try:
+        value = float(row[at])
+    except ValueError:
+        return
+    if np.isfinite(value):
+        row[at] = f"q{joint + 1} + ({value - v['q'][joint]!r})"
+
+
+def _clip(value: Any) -> str:
+    text = str(value)
+    return text if len(text) <= 60 else text[:57] + "..."
+
+
+_READERS: dict[type, Callable[[Any, Raw, Variant], Any]] = {Numbers: _numbers, TableOf: _table}

@@ -1,0 +1,61 @@
+"""Tolerances from the asked decimals: how far rounding what a part needs can move its answer."""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..exercises.exercise import Given, Numbers, Part, Variant, solve
+
+DRAWS = 64
+CAP = 0.02  # of the block's scale; beyond it, zero would pass for small entries
+FLOOR = 1e-9
+
+
+def tolerance(slug: str, part: Part, v: Variant, given: Given, scale: float) -> NDArray[np.float64]:
+    """Allowed absolute error of every entry, in the entry's own unit.
+
+    The worst change of the answer over 64 roundings of what the part needs, times 1.5, plus half a unit of the last
+    asked decimal; never below 1e-9 of the block's scale and never above 0.02 of it.
+    """
+    answer = part.answer
+    if not isinstance(answer, Numbers):
+        raise TypeError(f"{part.variable}: a tolerance is for numbers, not for {type(answer).__name__}")
+    reference = np.asarray(part.solve(v, given), dtype=float)
+    if part.tolerance is not None:
+        return np.full(reference.shape, part.tolerance)
+    block = block_scale(answer, reference, scale)
+    half = 0.5 * 10.0**-answer.decimals
+    spread = _spread(slug, part, v, given, half, reference)
+    # A value rounded to the asked decimals is off by half a unit and a rounding error of binary fractions.
+    return np.clip(1.5 * spread + 1.001 * half, FLOOR * block, CAP * block)
+
+
+def _spread(
+    slug: str, part: Part, v: Variant, given: Given, half: float, reference: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    worst = np.zeros(reference.shape)
+    if not any(isinstance(value, np.ndarray) for value in given.values()):
+        return worst
+    rng = np.random.default_rng(0)
+    for _ in range(DRAWS):
+        rounded = {name: _rounded(value, half, rng) for name, value in given.items()}
+        worst = np.maximum(worst, np.abs(solve(slug, part, v, rounded) - reference))
+    return worst
+
+
+def _rounded(value: Any, half: float, rng: np.random.Generator) -> Any:
+    return value + rng.uniform(-half, half, value.shape) if isinstance(value, np.ndarray) else value
+
+
+def block_scale(answer: Numbers, reference: NDArray[np.float64], length: float) -> NDArray[np.float64]:
+    """What an entry is large or small against: a length [m] in linear rows, 1 in angular ones, else its block."""
+    units = answer.unit_of_entries()
+    block = np.ones(reference.shape)
+    for unit in np.unique(units):
+        mine = units == unit
+        if unit in ("m", "m/rad"):
+            block[mine] = length
+        elif unit not in ("1", "rad"):
+            block[mine] = max(float(np.abs(reference[mine]).max()), 1e-3)
+    return block

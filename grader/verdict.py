@@ -1,0 +1,55 @@
+"""What marking a part says: data that feedback, gradebook and report only read."""
+
+from dataclasses import asdict, dataclass
+from typing import Any, Literal
+
+Status = Literal["correct", "partly", "incorrect", "missing", "failed", "not_graded"]
+"""`failed` is the submission's own fault, with the reason; `not_graded` is ours or unfinished, and never a zero."""
+STATUS_WORDS: dict[Status, str] = {
+    "correct": "correct",
+    "partly": "partly correct",
+    "incorrect": "incorrect",
+    "missing": "not answered",
+    "failed": "could not be read",
+    "not_graded": "not graded yet",
+}
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One sentence about an answer. `private` ones are for the instructor only."""
+
+    text: str
+    private: bool = False
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """The judgement of one part: points, which entries are right, and what was found.
+
+    `points` is None exactly when nothing was judged. `right` and `answer` are nested lists of the answer's shape.
+    """
+
+    part: str
+    status: Status
+    points: float | None
+    out_of: float
+    findings: tuple[Finding, ...] = ()
+    reading: str = ""
+    right: Any = None
+    answer: Any = None
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain data for the gradebook."""
+        return asdict(self)
+
+    @staticmethod
+    def from_json(data: dict[str, Any]) -> "Verdict":
+        """The verdict that `to_json` wrote."""
+        findings = tuple(Finding(**finding) for finding in data["findings"])
+        return Verdict(**{**data, "findings": findings})
+
+
+def not_graded(part: str, out_of: float, reason: str) -> Verdict:
+    """A part that waits for the instructor; it counts neither for nor against the student."""
+    return Verdict(part, "not_graded", None, out_of, (Finding(reason),))

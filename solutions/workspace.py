@@ -1,0 +1,285 @@
+"""Where the tool gets: its reach, and the section of its workspace with the exact curves that bound and cross it."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from .chain import Chain
+from .jacobian import jacobian
+from .kinematics import forward
+from .singularity import Arm, Parameters, Values, arm, sigma_min, task_block, zero_set
+
+if TYPE_CHECKING:
+    from .robots import Robot
+
+SAMPLES = 181  # per joint of a section
+SEEDS = 48  # per joint, where the search for a posture starts
+BESIDE = 5e-4  # of a curve's size: how far off it the two sides are tried
+FINER = 6  # bilinear points between two samples; their error is far below a cell
+LIMITS = "joint limits"
+
+
+@dataclass(frozen=True, eq=False)
+class Curve:
+    """The image of a singular set or of joint-limit faces in a section.
+
+    Attributes:
+        name: The factor's name, or "joint limits".
+        points: Shape (m, 2) [m].
+        q: The configurations of the arm (m, n) that lead there.
+        boundary: For each point (m,), whether the tool cannot get to one side of it.
+    """
+
+    name: str
+    points: Values
+    q: Values
+    boundary: NDArray[np.bool_]
+
+
+@dataclass(frozen=True, eq=False)
+class Section:
+    """The workspace of an arm that turns about axis 1, cut by a half plane (r, z); of a planar arm, its plane.
+
+    Attributes:
+        axes: ("r", "z") or ("x", "y"), in the frame of axis 1 [m].
+        cells: The largest sigma_min found in each cell (ny, nx), NaN where the tool cannot get.
+        extent: left, right, bottom, top of the cells [m].
+        curves: Images of the singular sets and of the joint-limit faces, if two joints span the section.
+    """
+
+    axes: tuple[str, str]
+    cells: Values
+    extent: tuple[float, float, float, float]
+    curves: tuple[Curve, ...]
+
+
+def meridian(chain: Chain, q: ArrayLike) -> Values:
+    """The tool's distance from axis 1 and its height along it, (..., 2) [m], at q (..., n)."""
+    p = _in_axis_frame(chain, q)
+    return np.stack([np.hypot(p[..., 0], p[..., 1]), p[..., 2]], axis=-1)
+
+
+def reach(
+    robot: "Robot", parameters: Parameters = None, *, of: Literal["axis 1", "base"] = "axis 1"
+) -> tuple[float, float]:
+    """The smallest and largest distance [m] of the tool from axis 1 or from the base origin within the joint limits.
+
+    For an arm with a wrist it is the wrist centre's.
+    """
+    part = arm(robot, parameters)
+
+    def distance(q: Values) -> Values:
+        return (
+            meridian(part.chain, q)[..., 0]
+            if of == "axis 1"
+            else np.linalg.norm(forward(part.chain, q)[..., :3, 3], axis=-1)
+        )
+
+    return _least(distance, part), -_least(lambda q: -distance(q), part)
+
+
+def section(robot: "Robot", parameters: Parameters = None, *, cells: int = 320) -> Section:
+    """The section of the workspace within the joint limits, with `cells` cells along its longer side."""
+    part = arm(robot, parameters)
+    axes, free = _plane(part)
+    if len(free) != 2:
+        return _cloud(part, axes, cells // 4)
+    grid = [np.linspace(*part.limits[i], SAMPLES) for i in free]
+    q = _configurations(part.chain.n, free, np.stack(np.meshgrid(*grid, indexing="ij"), axis=-1))
+    sigma = sigma_min(task_block(part, q))
+    finer = _interpolation(SAMPLES, FINER)
+    p = np.moveaxis(_in_axis_frame(part.chain, q), -1, 0)
+    p, sigma = finer @ p @ finer.T, finer @ sigma @ finer.T
+    image, extent = _raster(_projected(np.moveaxis(p, 0, -1), axes), sigma, cells)
+    curves = _singular_curves(robot, parameters, part, free) + _limit_curves(part, free)
+    points = [_projected(_in_axis_frame(part.chain, line), axes) for _, line in curves]
+    return Section(
+        axes,
+        image,
+        extent,
+        tuple(
+            Curve(name, at, line, _on_boundary(part, free, axes, at))
+            for (name, line), at in zip(curves, points, strict=True)
+        ),
+    )
+
+
+def _in_axis_frame(chain: Chain, q: ArrayLike) -> Values:
+    """The tool (..., 3) in the frame of axis 1, slid along the axis until it is level with the base origin [m]."""
+    origin, rotation = chain.fixed[0][:3, 3], chain.fixed[0][:3, :3]
+    foot = origin - rotation[:, 2] * (rotation[:, 2] @ origin)
+    return (forward(chain, q)[..., :3, 3] - foot) @ rotation
+
+
+def _projected(p: Values, axes: tuple[str, str]) -> Values:
+    return p[..., :2] if axes == ("x", "y") else np.stack([np.hypot(p[..., 0], p[..., 1]), p[..., 2]], axis=-1)
+
+
+def _plane(part: Arm) -> tuple[tuple[str, str], tuple[int, ...]]:
+    """The coordinates of the section and the joints that move in it."""
+    spread = _in_axis_frame(part.chain, _spread(part, 64))
+    if part.chain.kinds[0] == "P" or np.ptp(spread[:, 2]) < 1e-9:
+        return ("x", "y"), tuple(range(part.chain.n))
+    return ("r", "z"), tuple(range(1, part.chain.n))
+
+
+def _spread(part: Arm, count: int) -> Values:
+    """Configurations (count, n) spread evenly over the joint limits: Roberts' additive recurrence."""
+    n = part.chain.n
+    ratio = 2.0
+    for _ in range(40):
+        ratio = (1 + ratio) ** (1 / (n + 1))
+    low, high = np.transpose(part.limits)
+    return low + (high - low) * (np.arange(1, count + 1)[:, None] * ratio ** -np.arange(1.0, n + 1) % 1)
+
+
+def _cloud(part: Arm, axes: tuple[str, str], cells: int) -> Section:
+    q = _spread(part, 40_000)
+    image, extent = _raster(_projected(_in_axis_frame(part.chain, q), axes), sigma_min(task_block(part, q)), cells)
+    return Section(axes, image, extent, ())
+
+
+def _configurations(n: int, free: tuple[int, ...], values: Values) -> Values:
+    q = np.zeros((*values.shape[:-1], n))
+    q[..., free] = values
+    return q
+
+
+def _interpolation(count: int, finer: int) -> Values:
+    """The matrix that puts `finer - 1` points between each two of `count` samples, on straight lines."""
+    position = np.arange((count - 1) * finer + 1) / finer
+    return np.maximum(0.0, 1 - np.abs(position[:, None] - np.arange(count)))
+
+
+def _raster(points: Values, sigma: Values, cells: int) -> tuple[Values, tuple[float, float, float, float]]:
+    flat = points.reshape(-1, 2)
+    low, high = flat.min(axis=0), flat.max(axis=0)
+    size = max(float((high - low).max()), 1e-9) / cells
+    shape = np.ceil((high - low) / size).astype(int) + 3  # an empty cell around
+    origin = (low + high - shape * size) / 2
+    column, row = ((flat - origin) / size).astype(int).T
+    image = np.full(shape[0] * shape[1], -np.inf)
+    np.maximum.at(image, row * shape[0] + column, sigma.ravel())
+    image[image == -np.inf] = np.nan
+    left, bottom = (float(v) for v in origin)
+    right, top = (float(v) for v in origin + shape * size)
+    return image.reshape(shape[1], shape[0]), (left, right, bottom, top)
+
+
+def _singular_curves(
+    robot: "Robot", parameters: Parameters, part: Arm, free: tuple[int, ...]
+) -> list[tuple[str, Values]]:
+    ranges = [part.limits[i] for i in free]
+    return [
+        (factor.name, _configurations(part.chain.n, free, line))
+        for factor in part.factors
+        for line in zero_set(robot, factor.name, parameters, free=(free[0], free[1]), ranges=ranges)
+    ]
+
+
+def _limit_curves(part: Arm, free: tuple[int, ...]) -> list[tuple[str, Values]]:
+    curves: list[tuple[str, Values]] = []
+    for held, swept in (free, free[::-1]):
+        low, high = part.limits[held]
+        if part.chain.kinds[held] == "R" and high - low > 2 * np.pi - 1e-9:
+            continue  # a full turn has no end
+        for value in (low, high):
+            q = np.zeros((2 * SAMPLES, part.chain.n))
+            q[:, held], q[:, swept] = value, np.linspace(*part.limits[swept], 2 * SAMPLES)
+            curves.append((LIMITS, q))
+    return curves
+
+
+def _on_boundary(part: Arm, free: tuple[int, ...], axes: tuple[str, str], points: Values) -> NDArray[np.bool_]:
+    """Whether the tool misses one of the two points just beside a curve, for each of its points."""
+    size = float(np.ptp(points, axis=0).max())
+    if size < 1e-9:
+        return np.zeros(len(points), dtype=np.bool_)
+    along = np.gradient(points, axis=0)
+    normal = np.column_stack([-along[:, 1], along[:, 0]])
+    normal *= BESIDE * size / np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-300)
+
+    def missed(chosen: NDArray[np.intp]) -> NDArray[np.bool_]:
+        probes = np.concatenate([points[chosen] + normal[chosen], points[chosen] - normal[chosen]])
+        if axes == ("r", "z"):
+            probes[:, 0] = np.abs(probes[:, 0])  # across axis 1 lies the same half plane
+        beyond = _distance(part, free, axes, probes) > 0.2 * BESIDE * size
+        return beyond[: len(chosen)] | beyond[len(chosen) :]
+
+    # Every eighth point first; the points between two that differ are tried one by one.
+    coarse = np.unique(np.append(np.arange(0, len(points), 8), len(points) - 1))
+    found = missed(coarse)
+    boundary = found[np.searchsorted(coarse, np.arange(len(points)))]
+    differ = np.flatnonzero(found[1:] != found[:-1])
+    for i in differ:
+        between = np.arange(coarse[i] + 1, coarse[i + 1])
+        boundary[between] = missed(between)
+    return boundary
+
+
+def _distance(part: Arm, free: tuple[int, ...], axes: tuple[str, str], targets: Values) -> Values:
+    """How near the tool gets to each target (m, 2) of the section within the joint limits [m].
+
+    Gauss-Newton steps start at every local minimum of the distance over a grid of the two joints: one per posture.
+    """
+    low, high = np.transpose([part.limits[i] for i in free])
+    low, high = low + 1e-6 * (high - low), high - 1e-6 * (high - low)
+    # Cell centres, an even number, in a box a hair smaller: on axis 1 itself r has no derivative.
+    lines = [a + (b - a) * (np.arange(SEEDS) + 0.5) / SEEDS for a, b in zip(low, high, strict=True)]
+    grid = np.stack(np.meshgrid(*lines, indexing="ij"), axis=-1)
+    sampled = _projected(_in_axis_frame(part.chain, _configurations(part.chain.n, free, grid)), axes)
+    far = ((sampled - targets[:, None, None]) ** 2).sum(axis=-1)
+    rim = np.pad(far, ((0, 0), (1, 1), (1, 1)), constant_values=np.inf)
+    lowest = np.ones(far.shape, dtype=np.bool_)
+    for i in range(3):
+        for j in range(3):
+            lowest &= far <= rim[:, i : i + SEEDS, j : j + SEEDS]
+    target, *node = np.nonzero(lowest)
+    q, wanted = grid[tuple(node)], targets[target]
+    for _ in range(14):
+        gap, gain = _gap(part, free, axes, q, wanted)
+        step = _solved(gain, gap)
+        stuck = ((q <= low) & (step < 0)) | ((q >= high) & (step > 0))
+        step = np.where(stuck.any(axis=1, keepdims=True), _solved(np.where(stuck[:, None], 0.0, gain), gap), step)
+        q = np.clip(q + np.clip(step, -0.1 * (high - low), 0.1 * (high - low)), low, high)
+    gap, _ = _gap(part, free, axes, q, wanted)
+    nearest = np.full(len(targets), np.inf)
+    np.minimum.at(nearest, target, np.linalg.norm(gap, axis=1))
+    return nearest
+
+
+def _gap(part: Arm, free: tuple[int, ...], axes: tuple[str, str], q: Values, wanted: Values) -> tuple[Values, Values]:
+    """What is missing (m, 2) to the wanted points, and the derivative (m, 2, 2) of the points by the joints."""
+    full = _configurations(part.chain.n, free, q)
+    p = _in_axis_frame(part.chain, full)
+    turned = part.chain.fixed[0][:3, :3].T @ jacobian(part.chain, full)[:, :3][:, :, list(free)]
+    at = _projected(p, axes)
+    if axes == ("x", "y"):
+        return wanted - at, turned[:, :2]
+    outward = (p[:, :2, None] * turned[:, :2]).sum(axis=1) / np.maximum(at[:, :1], 1e-12)
+    return wanted - at, np.stack([outward, turned[:, 2]], axis=1)
+
+
+def _solved(gain: Values, gap: Values) -> Values:
+    """Damped least squares, which a singular gain does not upset."""
+    transposed = np.swapaxes(gain, 1, 2)
+    square = transposed @ gain + 1e-9 * np.eye(2)
+    return np.asarray(np.linalg.solve(square, transposed @ gap[..., None])[..., 0], dtype=np.float64)
+
+
+def _least(value: Callable[[Values], Values], part: Arm) -> float:
+    """The minimum of a function over the joint limits: a grid that closes in on its best point."""
+    low, high = (np.asarray(side, dtype=np.float64) for side in np.transpose(part.limits))
+    count = max(5, int(60_000 ** (1 / part.chain.n)))
+    centre, half, best = (low + high) / 2, (high - low) / 2, np.inf
+    while half.max() > 1e-14:
+        lines = np.linspace(np.maximum(low, centre - half), np.minimum(high, centre + half), count).T
+        q = np.stack(np.meshgrid(*lines, indexing="ij"), axis=-1).reshape(-1, part.chain.n)
+        found = value(q)
+        best, centre = min(best, float(found.min())), q[found.argmin()]
+        half = half * max(3 / count, 0.0) if count > 7 else half * 0.6
+        count = min(count, 7)
+    return best
