@@ -4,8 +4,8 @@ Exit 0: done. 1: `check` found something wrong, or another command could not do 
 """
 
 import logging
+import os
 import sys
-from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -15,7 +15,7 @@ import typer
 from ..solutions.errors import KinegradeError
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterator, Sequence
 
     from .config import Course, Sheet
     from .gradebook import Gradebook
@@ -42,6 +42,12 @@ def main() -> None:
         sys.exit(1)
     except OSError as error:
         sys.stderr.write(f"kinegrade: {error.filename or 'a file'}: {error.strerror or error}\n")
+        sys.exit(1)
+    except Exception as error:
+        if os.environ.get("KINEGRADE_DEBUG"):
+            raise
+        said = f"{type(error).__name__}: {error}"
+        sys.stderr.write(f"kinegrade: this is our fault, not yours: {said} (KINEGRADE_DEBUG=1 shows where)\n")
         sys.exit(1)
     except KeyboardInterrupt:
         sys.stderr.write("\nkinegrade: stopped; what was done is kept, and the same command goes on from there\n")
@@ -193,11 +199,10 @@ def show(course: "Course", marked: "Sequence[tuple[Sheet, Sequence[Result]]]") -
     from .sheets import exercises_of
     from .tables import legend, terminal_table
 
-    console = Console()
+    console = Console() if sys.stdout.isatty() else Console(width=140)  # a file has no width of its own
     for sheet, results in marked:
-        parts = [part.variable for exercise in exercises_of(course, sheet) for part in exercise.asked]
-        console.print(f"[bold]{sheet.title or sheet.name}[/bold]: {', '.join(parts)}", highlight=False)
-        console.print(terminal_table(results, parts))
+        console.print(f"[bold]{sheet.title or sheet.name}[/bold]", highlight=False)
+        console.print(terminal_table(results, exercises_of(course, sheet)))
     _say(legend())
     _say(f"Report: {course.folder / 'report' / 'index.html'}")
 

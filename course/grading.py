@@ -9,13 +9,11 @@ from dataclasses import dataclass, replace
 from importlib.metadata import version
 from typing import Any
 
-import numpy as np
-
 from ..exercises.catalogue import exercise_files
 from ..exercises.exercise import Exercise
 from ..grader.collect import Ask, Limits, Raw
 from ..grader.mark import mark
-from ..grader.verdict import Finding, Verdict, not_graded
+from ..grader.verdict import Verdict, not_graded
 from .config import Course, CourseError, Sheet, Student
 from .gradebook import GradeKey, Gradebook
 from .sheets import exercises_of
@@ -162,32 +160,17 @@ class SheetMarker:
         return Result(work.student, self.sheet.name, tuple(verdicts))
 
     def _mark_exercise(self, exercise: Exercise, work: _Work, raws: dict[str, Raw]) -> Iterator[Verdict]:
-        for verdict in mark(exercise, work.records[exercise.slug].numbers, raws):
-            if verdict.part in work.moved:
-                yield not_graded(verdict.part, verdict.out_of, CHANGED)
-            else:
-                yield self._with_neighbour(exercise, work.student, verdict)
+        others = self._others(exercise, work.student)
+        for verdict in mark(exercise, work.records[exercise.slug].numbers, raws, others):
+            moved = verdict.part in work.moved
+            yield not_graded(verdict.part, verdict.out_of, CHANGED) if moved else verdict
 
-    def _with_neighbour(self, exercise: Exercise, student: Student, verdict: Verdict) -> Verdict:
-        """The verdict, with a private finding if a wrong answer is the right one of another student."""
-        if verdict.status not in ("incorrect", "partly") or not _is_numeric(verdict.answer):
-            return verdict
-        answer = np.array(verdict.answer)
-        for other, records in self._records.items():
-            if other == student.id or exercise.slug not in records:
-                continue
-            theirs = np.array(records[exercise.slug].answers.get(verdict.part))
-            if theirs.shape == answer.shape and np.abs(theirs - answer).max() <= 2e-3:
-                found = Finding(f"This is the reference answer of {other}'s variant.", private=True)
-                return replace(verdict, findings=(*verdict.findings, found))
-        return verdict
-
-
-def _is_numeric(answer: Any) -> bool:
-    try:
-        return np.array(answer).dtype.kind == "f"
-    except ValueError:
-        return False
+    def _others(self, exercise: Exercise, student: Student) -> dict[str, dict[str, Any]]:
+        return {
+            other: records[exercise.slug].answers
+            for other, records in self._records.items()
+            if other != student.id and exercise.slug in records
+        }
 
 
 def _plain(error: BaseException) -> Exception:

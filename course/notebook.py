@@ -20,39 +20,40 @@ Pair = tuple[Exercise, dict[str, Any]]
 """An exercise and the numbers drawn for the student."""
 WIDTH = 420  # of a figure on the page, in pixels; the PNG has twice as many
 KEY = "kinegrade"
+SELF_CHECK = "## Self-check\n\nRun this cell at any time. It sees what is there, not whether it is right."
 
 
-def sheet_notebook(course: str, sheet: Sheet, student: Student, pairs: Sequence[Pair]) -> bytes:
-    """What the student gets: statements, figures, given numbers, an empty answer cell per part, a self-check."""
-    cells: list[Any] = [_markdown(_heading(course, sheet, student, pairs)), _code("import numpy as np")]
-    for number, (exercise, v) in enumerate(pairs, 1):
-        cells += [_markdown(_question(number, exercise, v)), _code(given_cell(exercise, v))]
-        for part in exercise.asked:
-            cells += [_markdown(_prompt(part, hints=sheet.mode != "exam")), _code(_blank(part), part.variable)]
-    cells += [
-        _markdown("## Self-check\n\nRun this cell at any time. It sees what is there, not whether it is right."),
-        _code(self_check([part for exercise, _ in pairs for part in exercise.asked])),
-    ]
+def notebooks(course: str, sheet: Sheet, student: Student, pairs: Sequence[Pair]) -> tuple[bytes, bytes]:
+    """What the student gets, and what the instructor keeps."""
+    questions = [_question(number, exercise, v) for number, (exercise, v) in enumerate(pairs, 1)]
+    heading = _heading(course, sheet, student, pairs)
+    handout, solution = [_markdown(heading)], [_markdown(f"{heading}\n\n**Worked solution, for the instructor.**")]
+    for cells in (handout, solution):
+        cells.append(_code("import numpy as np"))
+    for (exercise, v), question in zip(pairs, questions, strict=True):
+        handout += [_markdown(question), _code(given_cell(exercise, v)), *_blanks(exercise, hints=sheet.mode != "exam")]
+        solution += [_markdown(question), *_worked(exercise, v)]
+    handout += [_markdown(SELF_CHECK), _code(self_check([part for exercise, _ in pairs for part in exercise.asked]))]
+    about = {"sheet": sheet.name, "student": student.id, "mode": sheet.mode}
     numbers = {exercise.slug: v for exercise, v in pairs}
-    about = {"sheet": sheet.name, "student": student.id, "mode": sheet.mode, "numbers": numbers}
-    return _written(cells, about, f"{sheet.name}/{student.id}")
+    return (
+        _written(handout, about | {"numbers": numbers}, f"{sheet.name}/{student.id}"),
+        _written(solution, about, f"solution/{sheet.name}/{student.id}"),
+    )
 
 
-def solution_notebook(course: str, sheet: Sheet, student: Student, pairs: Sequence[Pair]) -> bytes:
-    """What the instructor keeps: the sheet's questions, each with its worked steps and the answer as code."""
-    cells: list[Any] = [
-        _markdown(_heading(course, sheet, student, pairs) + "\n\n**Worked solution, for the instructor.**"),
-        _code("import numpy as np"),
-    ]
-    for number, (exercise, v) in enumerate(pairs, 1):
-        cells.append(_markdown(_question(number, exercise, v)))
-        answers = references(exercise, v)
-        for part in exercise.asked:
-            cells.append(_markdown(_prompt(part, hints=False)))
-            cells += [_markdown(text) for text in worked_steps(part, v, answers)]
-            cells.append(_code(answer_code(part, answers[part.variable]), part.variable))
-    about = {"sheet": sheet.name, "student": student.id, "solution": True}
-    return _written(cells, about, f"solution/{sheet.name}/{student.id}")
+def _blanks(exercise: Exercise, *, hints: bool) -> Iterator[Any]:
+    for part in exercise.asked:
+        yield _markdown(_prompt(part, hints=hints))
+        yield _code(_blank(part), part.variable)
+
+
+def _worked(exercise: Exercise, v: dict[str, Any]) -> Iterator[Any]:
+    answers = references(exercise, v)
+    for part in exercise.asked:
+        yield _markdown(_prompt(part, hints=False))
+        yield from map(_markdown, worked_steps(part, v, answers))
+        yield _code(answer_code(part, answers[part.variable]), part.variable)
 
 
 def given_cell(exercise: Exercise, v: dict[str, Any]) -> str:

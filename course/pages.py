@@ -3,6 +3,7 @@
 from collections import Counter
 from collections.abc import Sequence
 from functools import cache
+from importlib.metadata import version
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
@@ -136,12 +137,15 @@ def _counts(results: Sequence[Result], part: Part) -> str:
 
 
 def _figure(folder: Path, name: str) -> dict[str, str]:
+    """The map of a robot, drawn once per version."""
     from ..grader.maps import describe, save
     from ..solutions.robots import robot
 
-    folder.mkdir(parents=True, exist_ok=True)
-    save(robot(name), folder / f"{name}.png")
-    return {"file": f"{name}.png", "title": robot(name).title, "alt": describe(robot(name))}
+    file = f"{name}-{version('kinegrade')}.png"
+    if not (folder / file).exists():
+        folder.mkdir(parents=True, exist_ok=True)
+        save(robot(name), folder / file)
+    return {"file": file, "title": robot(name).title, "alt": describe(robot(name))}
 
 
 @cache

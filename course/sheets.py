@@ -9,7 +9,7 @@ from ..exercises.exercise import Exercise
 from .config import Course, CourseError, Sheet, Student
 from .files import write_atomically
 from .gradebook import Gradebook
-from .notebook import sheet_notebook, solution_notebook
+from .notebook import notebooks
 from .variant import Record, canonical, draw_record
 
 
@@ -82,8 +82,9 @@ def _release(
     solution = course.folder / "solutions" / student.id / f"{sheet.name}.ipynb"
     pairs = list(zip(exercises, (record.numbers for record in records), strict=True))
     new = not path.exists()
-    if new:
-        write_atomically(path, sheet_notebook(course.settings.title, sheet, student, pairs))
     if new or not solution.exists():
-        write_atomically(solution, solution_notebook(course.settings.title, sheet, student, pairs))
+        handout, worked = notebooks(course.settings.title, sheet, student, pairs)
+        write_atomically(solution, worked)
+        if new:  # last: what is released was released in full
+            write_atomically(path, handout)
     return Released(student.id, sheet.name, path, new)

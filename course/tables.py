@@ -5,25 +5,28 @@ import io
 import json
 from collections.abc import Sequence
 
+from rich.box import SIMPLE_HEAD
 from rich.table import Table
 
+from ..exercises.exercise import Exercise
 from ..grader.verdict import STATUS_WORDS
 from .grading import Result
 
 MARKS = {"correct": "✓", "partly": "◐", "incorrect": "✗", "missing": "–", "failed": "!", "not_graded": "?"}
 
 
-def terminal_table(results: Sequence[Result], parts: Sequence[str]) -> Table:
-    """One line per student: a mark for every part, points, and the first thing worth knowing."""
-    table = Table(title=None, header_style="bold", pad_edge=False)
-    table.add_column("student", no_wrap=True)
-    table.add_column("parts", no_wrap=True)
-    table.add_column("points", justify="right", no_wrap=True)
-    table.add_column("first remark", overflow="ellipsis", no_wrap=True)
+def terminal_table(results: Sequence[Result], exercises: Sequence[Exercise]) -> Table:
+    """One line per student: a mark for every part of each exercise, points, and the first thing worth knowing."""
+    table = Table(header_style="bold", pad_edge=False, box=SIMPLE_HEAD)
+    table.add_column("student", no_wrap=True, min_width=max((len(result.student.id) for result in results), default=7))
+    for exercise in exercises:
+        table.add_column(exercise.slug, no_wrap=True, min_width=len(exercise.slug))
+    table.add_column("points", justify="right", no_wrap=True, min_width=10)
+    table.add_column("first remark")
     for result in results:
         marks = {verdict.part: MARKS[verdict.status] for verdict in result.verdicts}
-        shown = " ".join(marks.get(part, " ") for part in parts)
-        table.add_row(result.student.id, shown, points_text(result), remark(result))
+        shown = ["".join(marks.get(part.variable, " ") for part in exercise.asked) for exercise in exercises]
+        table.add_row(result.student.id, *shown, points_text(result), remark(result))
     return table
 
 

@@ -3,7 +3,7 @@
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ..exercises.exercise import Credit, Exercise, Given, Numbers, Part, TableOf, Variant
 from ..solutions.table import Table
@@ -11,6 +11,7 @@ from .tolerance import tolerance
 
 Mask = NDArray[np.bool_]
 TRIVIAL = (-1.0, 0.0, 1.0)
+ANGLES = (0, 3)  # columns theta and alpha of a table
 
 
 def right_entries(exercise: Exercise, part: Part, v: Variant, given: Given, reference: Any, value: Any) -> Mask:
@@ -25,19 +26,18 @@ def _right_cells(answer: TableOf, v: Variant, reference: Table, value: Table) ->
     """Cells that have the reference's value at three configurations; angles count modulo a full turn."""
     half = 0.5 * 10.0**-answer.decimals
     allowed = np.array([4 * half, 6 * half, 6 * half, 4 * half])
-    right = np.ones((len(answer.kinds), 4), dtype=bool)
-    for configuration in np.random.default_rng(0).uniform(-1, 1, (3, len(answer.kinds))):
-        values = {name: x for name, x in v.items() if isinstance(x, int | float)}
-        values |= {f"q{i}": x for i, x in enumerate(configuration, 1)}
-        difference = _cell_values(value, values) - _cell_values(reference, values)
-        turns = np.array([2 * np.pi, np.inf, np.inf, 2 * np.pi])
-        turned = np.where(np.isfinite(turns), difference - turns * np.round(difference / turns), difference)
-        right &= np.abs(turned) <= allowed
-    return right
+    q = np.random.default_rng(0).uniform(-1, 1, (3, len(answer.kinds)))
+    difference = _table_numbers(value, v, q) - _table_numbers(reference, v, q)
+    angle = difference[..., ANGLES]
+    difference[..., ANGLES] = angle - 2 * np.pi * np.round(angle / (2 * np.pi))
+    return (np.abs(difference) <= allowed).all(axis=0)
 
 
-def _cell_values(table: Table, values: dict[str, float]) -> NDArray[np.float64]:
-    return np.array([[cell.at(values) for cell in row] for row in table.rows], dtype=float)
+def _table_numbers(table: Table, v: Variant, q: ArrayLike) -> NDArray[np.float64]:
+    """Cells (..., n, 4) of a table with the variant's lengths at q (..., n)."""
+    joints = np.asarray(q, dtype=float)
+    lengths = {name: x for name, x in v.items() if isinstance(x, int | float)}
+    return table.numbers({**lengths, **{name: joints[..., i] for i, name in enumerate(table.joints)}})
 
 
 def earning_entries(part: Part, reference: Any, varies: Mask, v: Variant) -> Mask:
@@ -45,15 +45,10 @@ def earning_entries(part: Part, reference: Any, varies: Mask, v: Variant) -> Mas
 
     A Jacobian is full of structural zeros and ones, so that a matrix of zeros agrees with many entries of it.
     """
-    numbers = reference if isinstance(part.answer, Numbers) else _table_numbers(reference, v)
+    numbers = reference if isinstance(part.answer, Numbers) else _table_numbers(reference, v, v["q"])
     trivial = np.isclose(numbers[..., None], TRIVIAL, rtol=0, atol=1e-6).any(-1)
     earning = varies & ~trivial
     return earning if earning.any() else np.ones_like(varies)
-
-
-def _table_numbers(table: Table, v: Variant) -> NDArray[np.float64]:
-    values = {name: x for name, x in v.items() if isinstance(x, int | float)}
-    return _cell_values(table, values | {f"q{i}": x for i, x in enumerate(v["q"], 1)})
 
 
 def varying_entries(answers: list[Any], part: Part, variants: list[Variant]) -> Mask:
@@ -61,7 +56,7 @@ def varying_entries(answers: list[Any], part: Part, variants: list[Variant]) -> 
     if isinstance(part.answer, Numbers):
         stack = np.array(answers)
     else:
-        stack = np.array([_table_numbers(table, v) for table, v in zip(answers, variants, strict=True)])
+        stack = np.array([_table_numbers(table, v, v["q"]) for table, v in zip(answers, variants, strict=True)])
     return np.ptp(stack, axis=0) > 1e-6
 
 

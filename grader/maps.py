@@ -17,6 +17,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Circle, Ellipse, Patch, Rectangle
 from matplotlib.patheffects import withStroke
+from matplotlib.transforms import ScaledTranslation, Transform
 from numpy.typing import NDArray
 
 from ..solutions.errors import KinegradeError
@@ -166,7 +167,9 @@ def _draw_joint_map(ax: "Axes", found: JointMap, norm: PowerNorm) -> None:
     _joint_axes(ax, found)
     ax.set_title(f"Dark: the {found.part.point} loses a direction")
     if handles:
-        ax.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, -0.15), handlelength=3.2)
+        ax.legend(
+            handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0.0), bbox_transform=_below(ax), handlelength=3.2
+        )
 
 
 def _draw_factors(ax: "Axes", found: JointMap, *, plain: bool = False) -> list:
@@ -233,12 +236,12 @@ def _angle_ticks(axis: "Axis", span: tuple[float, float]) -> None:
 
 def _sigma_bar(ax: "Axes", image: "ScalarMappable", found: JointMap) -> None:
     bar = ax.figure.colorbar(image, cax=ax.inset_axes((1.025, 0.0, 0.04, 1.0)))
-    top = image.norm.vmax
+    top = float(image.get_clim()[1] or 1.0)
     step = 10 ** np.floor(np.log10(top / 4))
     round_top = next(k * step for k in (50, 40, 30, 20, 15, 10, 8, 6, 5, 4, 3, 2, 1) if k * step <= top)
     bar.set_ticks([0.0, *(round_top * f for f in (0.01, 0.05, 0.2, 0.5, 1.0))], labels=None)
     bar.ax.yaxis.set_major_formatter(lambda v, _: f"{v:.3g}")
-    bar.set_label(rf"$\sigma_{{\min}}(\mathbf{{A}})$ [{_unit(found.part)}], square-root scale")
+    bar.set_label(rf"$\sigma_{{\min}}(\mathbf{{A}})$ [{_unit(found.part).strip('()')}], square-root scale")
 
 
 def _draw_section(ax: "Axes", found: JointMap, cut: Section, norm: PowerNorm) -> None:
@@ -255,7 +258,9 @@ def _draw_section(ax: "Axes", found: JointMap, cut: Section, norm: PowerNorm) ->
     ax.set_ylabel("height $z$ along axis 1 [m]" if cut.axes[1] == "z" else "$y$ [m]")
     ax.set_title(f"Section of the {found.part.point}'s workspace")
     if handles:
-        ax.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, -0.15), handlelength=2.6)
+        ax.legend(
+            handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0.0), bbox_transform=_below(ax), handlelength=2.6
+        )
 
 
 def _draw_curves(ax: "Axes", found: JointMap, cut: Section) -> list:
@@ -317,13 +322,37 @@ def _draw_det(ax: "Axes", robot: "Robot", found: JointMap) -> None:
     bar.set_label(r"$\det\mathbf{A}\,/\,\max|\det\mathbf{A}|$, signed square-root scale")
     _draw_factors(ax, found, plain=True)
     _joint_axes(ax, found)
-    formula = _formula(robot, found)
+    for x, y, sign in _lobes(det, found):
+        ax.text(x, y, sign, color="white", size=17, ha="center", va="center", clip_on=True)
     rows = ", ".join(f"${ROWS[row]}$" for row in found.part.rows)
-    note = f"$\\mathbf{{A}}$: rows {rows} of the {found.part.point}'s Jacobian. White: $\\det\\mathbf{{A}}=0$. "
-    ax.text(
-        0.5, -0.19, _wrapped(note + _sign_rule(found.part), 62), transform=ax.transAxes, ha="center", va="top", size=10
-    )
+    note = f"$\\mathbf{{A}}$: rows {rows} of the {found.part.point}'s Jacobian;\nwhite: $\\det\\mathbf{{A}}=0$"
+    rule = _sign_rule(found.part).replace("det A", "its sign").rstrip(".")
+    note += ";\n" + _wrapped(rule, 56) if rule else ""
+    ax.text(0.5, 0.0, note, transform=_below(ax), ha="center", va="top", size=10, linespacing=1.3)
+    formula = _formula(robot, found)
     ax.set_title(r"Sign of $\det\mathbf{A}$ tells postures apart" + (f"\n{formula}" if formula else ""))
+
+
+def _below(ax: "Axes") -> Transform:
+    """Coordinates whose zero lies under the axis label, however high the panel is."""
+    return ax.transAxes + ScaledTranslation(0.0, -44 / 72, ax.figure.dpi_scale_trans)
+
+
+def _lobes(det: Values, found: JointMap) -> list[tuple[float, float, str]]:
+    """Where each lobe of the determinant peaks, and its sign: red and blue are the same grey."""
+    size = np.abs(det).round(4)
+    across, up = np.meshgrid(np.linspace(0.06, 0.94, 31), np.linspace(0.06, 0.94, 31))
+    places = np.column_stack([across.ravel(), up.ravel()])
+    column, row = (places * SAMPLES).astype(int).T
+    middle = np.linalg.norm(places - 0.5, axis=1)
+    kept: list[int] = []
+    for k in np.lexsort([middle, -size[row, column]]):
+        apart = all(np.linalg.norm(places[k] - places[other]) > 0.28 for other in kept)
+        window = size[max(row[k] - 12, 0) : row[k] + 13, max(column[k] - 12, 0) : column[k] + 13]
+        if apart and size[row[k], column[k]] > max(0.15, 0.9 * window.max()):
+            kept.append(int(k))
+    low, span = np.array(found.spans)[:, 0], np.diff(found.spans, axis=1)[:, 0]
+    return [(*(low + span * places[k]).tolist(), "+" if det[row[k], column[k]] > 0 else "−") for k in kept]
 
 
 def _planar_panels(drawn: Figure, robot: "Robot", found: JointMap, cut: Section) -> None:
@@ -332,12 +361,14 @@ def _planar_panels(drawn: Figure, robot: "Robot", found: JointMap, cut: Section)
     _draw_section(ring, found, cut, norm)
     _sigma_bar(ring, ring.images[0], found)
     radii = sorted({f"{np.hypot(*curve.points[0]):.3g} m" for curve in cut.curves})
-    ring.set_title("Workspace: a ring, singular on its rims")
-    if len(found.curves) == 1 and radii:
-        rim = Line2D(
-            [], [], color=LINES[0][0], lw=2.4, label=_wrapped(f"{found.curves[0][0]}, at {' and '.join(radii)}")
-        )
-        ring.legend(handles=[rim], loc="upper center", bbox_to_anchor=(0.5, -0.15), handlelength=2.6)
+    whole = bool(cut.curves) and all(curve.name != LIMITS and curve.boundary.all() for curve in cut.curves)
+    ring.set_title("Workspace: a ring, singular on its rims" if whole else "Workspace within the joint limits")
+    if whole and len(found.curves) == 1:
+        radii = sorted({f"{np.hypot(*curve.points[0]):.3g} m" for curve in cut.curves})
+        label = f"{found.curves[0][0]}:\nradius {' and '.join(radii)}"
+        rim = Line2D([], [], color=LINES[0][0], lw=2.4, label=label)
+        place = {"loc": "upper center", "bbox_to_anchor": (0.5, 0.0), "bbox_transform": _below(ring)}
+        ring.legend(handles=[rim], **place, handlelength=2.6)
     _draw_postures(postures, found)
     _draw_singular_values(curves, robot, found)
 
@@ -391,7 +422,7 @@ def _draw_singular_values(ax: "Axes", robot: "Robot", found: JointMap) -> None:
     ax.set_xlabel("$q_2$ [rad]")
     ax.set_title(_formula(robot, found) or "Singular values over $q_2$")
     ax.set_box_aspect(1.0)
-    ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.15), ncols=3)
+    ax.legend(loc="upper center", bbox_to_anchor=(0.5, 0.0), bbox_transform=_below(ax), ncols=3)
 
 
 def _formula(robot: "Robot", found: JointMap) -> str | None:
@@ -444,10 +475,10 @@ def describe(robot: "Robot", parameters: Parameters = None) -> str:
     first, second = (f"q{i + 1}" for i in found.free)
     near, far = (0.0 if value < 1e-9 else value for value in reach(robot, parameters))
     where = "; ".join(f"{name} ({_where(found, lines)})" for name, lines in found.curves)
+    bound = f"{np.nanmax(cut.cells):.3g} {_unit(part)}"
     sentences = [
         f"Singularities and workspace: {robot.title} ({values}).",
-        f"Over {first} and {second} the smallest singular value of the {point}'s Jacobian block is at most "
-        f"{np.nanmax(cut.cells):.3g} {_unit(part)} within the joint limits.",
+        f"Over {first} and {second}, the smallest singular value of the {point}'s Jacobian block is at most {bound}.",
         f"It falls to zero, where the {point} loses a direction, on: {where}." if where else "",
         _sign_rule(part) if found.det is not None else "",
         f"Within the joint limits the {point} gets from {near:.3g} m to {far:.3g} m away from axis 1.",
@@ -496,5 +527,5 @@ def _walls(part: Arm, cut: Section) -> str:
 
 def _unit(part: Arm) -> str:
     if max(part.rows) > 2:
-        return "in mixed units"
+        return "(mixed units)"
     return "m/s per unit joint rate" if "P" in part.chain.kinds else "m"

@@ -18,6 +18,7 @@ from .tolerance import tolerance
 from .verdict import Finding, Verdict, not_graded
 
 SAMPLE = 12  # draws that decide which entries vary between students
+SAME = 2e-3  # two answers this close were not computed from different numbers
 log = logging.getLogger(__name__)
 
 
@@ -30,16 +31,25 @@ class _Sheet:
     reference: Mapping[str, Any]
     answers: Mapping[str, Any]
     accepted: Mapping[str, bool]
+    copied: Mapping[str, str]
 
 
-def mark(exercise: Exercise, v: Variant, raws: Mapping[str, Raw]) -> list[Verdict]:
-    """A verdict for every asked part. A failure of ours in one part leaves that part `not_graded` and no other."""
+Others = Mapping[str, Mapping[str, Any]]
+"""Student to the recorded reference answers of that student's variant of the same exercise."""
+
+
+def mark(exercise: Exercise, v: Variant, raws: Mapping[str, Raw], others: Others | None = None) -> list[Verdict]:
+    """A verdict for every asked part. A failure of ours in one part leaves that part `not_graded` and no other.
+
+    Nothing follows from a wrong answer that is the right one of somebody in `others`.
+    """
     reference = references(exercise, v)
     answers: dict[str, Any] = {}
     accepted: dict[str, bool] = {}
+    copied: dict[str, str] = {}
     verdicts: list[Verdict] = []
     for part in exercise.asked:
-        sheet = _Sheet(exercise, v, reference, answers, accepted)
+        sheet = _Sheet(exercise, v, reference, answers, accepted, copied)
         try:
             answer = read(part.answer, raws.get(part.variable, Raw("missing")), v)
         except Unreadable as error:
@@ -50,6 +60,10 @@ def mark(exercise: Exercise, v: Variant, raws: Mapping[str, Raw]) -> list[Verdic
         except Exception:
             log.exception("%s could not be marked", part.variable)
             verdict = not_graded(part.variable, part.points, "The grader failed on this part; your answer is kept.")
+        if verdict.status != "correct" and (owner := owner_of(part, answer, others or {})):
+            copied[part.variable] = owner
+            found = Finding(f"This is the reference answer of {owner}'s variant.", private=True)
+            verdict = replace(verdict, findings=(*verdict.findings, found))
         answers[part.variable] = answer
         accepted[part.variable] = verdict.status == "correct"
         verdicts.append(verdict)
@@ -110,7 +124,7 @@ def _follow(sheet: _Sheet, part: Part, answer: Any) -> Verdict | None:
     Answers that were accepted though they differ from the reference keep the full share; wrong ones earn `follow`.
     """
     own = [name for name in part.needs if name in sheet.answers]
-    if not own:
+    if not own or part.follow == 0 or any(name in sheet.copied for name in own):
         return None
     given = {name: sheet.answers.get(name, sheet.reference[name]) for name in part.needs}
     try:
@@ -129,6 +143,17 @@ def _follow(sheet: _Sheet, part: Part, answer: Any) -> Verdict | None:
     status = "partly" if all_right and part.follow < 1 else verdict.status
     points = round((verdict.points or 0.0) * part.follow, 2)
     return replace(verdict, status=status, points=points, findings=(*verdict.findings, noted))
+
+
+def owner_of(part: Part, answer: Any, others: Others) -> str:
+    """The student whose variant an answer of numbers is right for; empty when there is none."""
+    if not isinstance(part.answer, Numbers):
+        return ""
+    for student, answers in others.items():
+        theirs = np.asarray(answers.get(part.variable, np.nan), dtype=float)
+        if theirs.shape == answer.shape and np.abs(theirs - answer).max() <= SAME:
+            return student
+    return ""
 
 
 def _trivial(part: Part, reference: Any, wanted: Any) -> bool:

@@ -3,7 +3,7 @@
 from base64 import b64encode
 from functools import cache
 from threading import Lock
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 if TYPE_CHECKING:
     from typst import Compiler
@@ -32,12 +32,11 @@ def png(svg: str, width: int) -> bytes:
     if width < 1:
         raise ValueError(f"png takes a width of at least 1 pixel, got {width}")
     with _one_at_a_time:
-        # At 72 pixels per inch a point is a pixel.
+        # At 72 pixels per inch a point is a pixel; a document of one page comes back as its bytes.
         drawn = _compiler().compile(PAGE, format="png", ppi=72.0, sys_inputs={"svg": svg, "width": str(width)})
-    assert isinstance(drawn, bytes), "one page makes one PNG"  # noqa: S101 (the type of several pages)
-    return drawn
+    return cast("bytes", drawn)
 
 
-def data_uri(png: bytes) -> str:
-    """`png` as a data: URI, for pages and notebook cells that carry their pictures."""
-    return "data:image/png;base64," + b64encode(png).decode("ascii")
+def data_uri(image: bytes) -> str:
+    """A PNG as a data: URI, for pages and notebook cells that carry their pictures."""
+    return "data:image/png;base64," + b64encode(image).decode("ascii")

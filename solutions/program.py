@@ -160,7 +160,7 @@ def _walk(tracer: Tracer, fixed: Array, kinds: str, joints: Sequence[tuple[int, 
         parallel = not C[:2, 2].any()
         columns = list(zip(*F, strict=True))
         base = [[tracer.dot(row, column) for column in columns] for row in (base if parallel else R)]
-        angle = tuple((s * int(C[2, 2]), j) for s, j in angle) if parallel else ()
+        angle = tuple((s if C[2, 2] > 0 else -s, j) for s, j in angle) if parallel else ()
         rotations.append(tracer.turned(base, angle))
         origins.append(p)
     return Walk(rotations, origins, links)

@@ -86,7 +86,7 @@ def section(robot: "Robot", parameters: Parameters = None, *, cells: int = 320) 
     part = arm(robot, parameters)
     axes, free = _plane(part)
     if len(free) != 2:
-        return _cloud(part, axes, cells // 4)
+        return _cloud(part, axes, cells // 6)
     grid = [np.linspace(*part.limits[i], SAMPLES) for i in free]
     q = _configurations(part.chain.n, free, np.stack(np.meshgrid(*grid, indexing="ij"), axis=-1))
     sigma = sigma_min(task_block(part, q))
@@ -215,7 +215,7 @@ def _on_boundary(part: Arm, free: tuple[int, ...], axes: tuple[str, str], points
     boundary = found[np.searchsorted(coarse, np.arange(len(points)))]
     differ = np.flatnonzero(found[1:] != found[:-1])
     for i in differ:
-        between = np.arange(coarse[i] + 1, coarse[i + 1])
+        between = np.arange(int(coarse[i]) + 1, int(coarse[i + 1]))
         boundary[between] = missed(between)
     return boundary
 
