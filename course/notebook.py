@@ -96,7 +96,7 @@ def _heading(course: str, sheet: Sheet, student: Student, pairs: Sequence[Pair])
     minutes = sum(exercise.minutes for exercise, _ in pairs)
     lines = [
         f"# {sheet.title or sheet.name}",
-        f"{course} · sheet `{sheet.name}` · **{_plain(student.name)}** (`{student.id}`) · {points:g} points · "
+        f"{course} · sheet `{sheet.name}` · **{_plain(student.name)}** (`{student.id}`) · {_points(points)} · "
         f"about {minutes} minutes",
         "The numbers on this sheet are yours alone. Replace each `...` by your answer and keep the names of the "
         "variables: answers are collected by name. Run all cells, save, and hand in this file.",
@@ -111,15 +111,21 @@ def _plain(name: str) -> str:
 
 
 def _question(number: int, exercise: Exercise, v: dict[str, Any]) -> str:
-    goals = "\n".join(f"- {objective}" for objective in exercise.objectives)
-    given = ", $\\quad$".join(
+    given = r", $\quad$ ".join(
         f"${given_number(name, v[name], unit)}$" for name, unit in exercise.units.items() if name in v
     )
-    figures = "\n\n".join(_figure(drawing) for drawing in exercise.drawings(v))
-    title = f"## {number}. {exercise.title} ({exercise.points:g} points)"
-    return "\n\n".join(
-        part for part in (title, goals, exercise.statement(v), f"**Your numbers:** {given}", figures) if part
+    parts = (
+        f"## {number}. {exercise.title} ({_points(exercise.points)})",
+        f"*{' '.join(exercise.objectives)}*" if exercise.objectives else "",
+        exercise.statement(v),
+        f"**Your numbers:** {given}",
+        *(_figure(drawing) for drawing in exercise.drawings(v)),
     )
+    return "\n\n".join(part for part in parts if part)
+
+
+def _points(points: float) -> str:
+    return f"{points:g} point" if points == 1 else f"{points:g} points"
 
 
 def _figure(drawing: Drawing) -> str:
@@ -129,8 +135,8 @@ def _figure(drawing: Drawing) -> str:
 
 
 def _prompt(part: Part, *, hints: bool) -> str:
-    asked = f" to {part.answer.decimals} decimals" if isinstance(part.answer, Numbers) else ""
-    text = f"**`{part.variable}`** ({part.points:g} points): {part.prompt}{asked}."
+    asked = f" Give {part.answer.decimals} decimals." if isinstance(part.answer, Numbers) else ""
+    text = f"**`{part.variable}`** ({_points(part.points)}): {part.prompt}.{asked}"
     if hints and part.hints:
         listed = "\n".join(f"{i}. {hint}" for i, hint in enumerate(part.hints, 1))
         text += f"\n\n<details><summary>Hints</summary>\n\n{listed}\n\n</details>"

@@ -105,8 +105,8 @@ def _sheet_block(sheet: Sheet, exercises: Sequence[Exercise], results: Sequence[
             "feedback": f"../feedback/{result.student.id}/{sheet.name}.html" if result.verdicts else "",
             "cells": [_cell(result, part) for part in parts],
             "points": points_text(result),
-            "remark": remark(result),
-            "private": [f.text for verdict in result.verdicts for f in verdict.findings if f.private],
+            "remark": remark(result, public=True),
+            "private": sorted({f.text for verdict in result.verdicts for f in verdict.findings if f.private}),
         }
         for result in results
     ]

@@ -42,13 +42,14 @@ def points_text(result: Result) -> str:
     return "not graded" if result.verdicts else "—"
 
 
-def remark(result: Result) -> str:
-    """The reason why nothing was marked, else the first finding."""
+def remark(result: Result, *, public: bool = False) -> str:
+    """The reason why nothing was marked, else the first finding; with `public`, one that the student sees too."""
     if result.reason:
         return result.reason
     for verdict in result.verdicts:
         for finding in verdict.findings:
-            return f"{verdict.part}: {finding.text}"
+            if not (public and finding.private):
+                return f"{verdict.part}: {finding.text}"
     return ""
 
 

@@ -20,18 +20,20 @@ from .exercise import Exercise, Given, Numbers, Part, Step, TableOf, Variant
 Array = NDArray[np.float64]
 LENGTHS = ("d1", "a1", "d2", "l3")
 OFFSETS = ((), ("a1",), ("d2",), ("l3",), ("a1", "d2"), ("a1", "l3"), ("d2", "l3"))
+FORMS = tuple((alpha1, offsets) for offsets in OFFSETS for alpha1 in (-90, 90))
 KINDS = "RRP"
 
 
 def draw(rng: np.random.Generator) -> dict[str, Any]:
-    """An arm of one of seven structures, with axis 2 in one of two senses, away from its singular postures."""
-    offsets = OFFSETS[int(rng.integers(len(OFFSETS)))]
+    """An arm of one of 14 forms (which offsets, which sense of axis 2), away from its singular postures."""
+    form = int(rng.integers(len(FORMS)))
+    alpha1, offsets = FORMS[form]
     while True:
-        v: dict[str, Any] = {"alpha1": int(rng.choice([-90, 90])), "d1": length(rng)}
+        v: dict[str, Any] = {"form": form, "d1": length(rng)}
         v |= {name: length(rng, 0.2, 0.5) for name in offsets}
         v["q"] = [*angles(rng, 2), length(rng)]
         stretch = v["q"][2] + v.get("l3", 0.0)
-        reach = -np.sign(v["alpha1"]) * stretch * np.sin(v["q"][1]) + v.get("a1", 0.0)
+        reach = v.get("a1", 0.0) - np.sign(alpha1) * stretch * np.sin(v["q"][1])
         if abs(reach) > 0.2:
             return v
 
@@ -41,25 +43,26 @@ def lengths(v: Variant) -> dict[str, float]:
 
 
 @lru_cache
-def robot(alpha1: int, names: tuple[str, ...]) -> Robot:
-    """The arm of one structure, with every length 1 m by default."""
+def robot(form: int) -> Robot:
+    """The arm of one form, with every length 1 m by default."""
+    alpha1, offsets = FORMS[form]
     first, second = ("pi/2", "-pi/2") if alpha1 > 0 else ("-pi/2", "pi/2")
     return Robot(
         name="rrt",
         title="RRT robot",
-        parameters=dict.fromkeys(names, 1.0),
+        parameters=dict.fromkeys((name for name in LENGTHS if name in ("d1", *offsets)), 1.0),
         rows=(
-            ("q1", "d1", "a1" if "a1" in names else "0", first),
-            ("q2", "d2" if "d2" in names else "0", "0", second),
-            ("0", "q3 + l3" if "l3" in names else "q3", "0", "0"),
+            ("q1", "d1", "a1" if "a1" in offsets else "0", first),
+            ("q2", "d2" if "d2" in offsets else "0", "0", second),
+            ("0", "q3 + l3" if "l3" in offsets else "q3", "0", "0"),
         ),
         limits=ROBOTS["rrt_spherical"].limits,
-        source="S3 5.4.1; figure 5.2 is missing, the structure is drawn for each student",
+        source="S3 5.4.1; figure 5.2 is missing, the form is drawn for each student",
     )
 
 
 def robot_of(v: Variant) -> Robot:
-    return robot(v["alpha1"], tuple(lengths(v)))
+    return robot(v["form"])
 
 
 def table(v: Variant, _: Given) -> Table:
@@ -87,7 +90,7 @@ def explain_table(v: Variant, given: Given) -> list[Step]:
     import sympy
 
     cells = sympy.Matrix([[cell.sympy() for cell in row] for row in given["rrt_dh"].rows])
-    sense = "left" if v["alpha1"] < 0 else "right"
+    sense = "left" if FORMS[v["form"]][0] < 0 else "right"
     return [
         Step(
             r"$\mathbf z_{i-1}$ lies along the axis of joint $i$, in its positive sense. $\mathbf x_i$ is perpendicular to "
@@ -199,7 +202,7 @@ EXERCISE = Exercise(
         Part(
             "rrt_dh",
             r"The DH table: one row $[\theta_i, d_i, a_i, \alpha_i]$ per joint, as text in the names of your lengths and "
-            r"q1, q2, q3, such as `[\"q1\", \"d1\", 0, \"pi/2\"]`, or as numbers at your $\mathbf q$ (radians, metres)",
+            r"q1, q2, q3, such as `['q1', 'd1', 0, 'pi/2']`, or as numbers at your $\mathbf q$ (radians, metres)",
             3,
             TableOf(LENGTHS, KINDS),
             table,
@@ -212,7 +215,7 @@ EXERCISE = Exercise(
         Part(
             "rrt_T",
             r"The transforms from the fixed frame to each frame, $\mathbf T_0^1, \mathbf T_0^2, \mathbf T_0^3$ at your "
-            r"$\mathbf q$, stacked to 3 × 4 × 4",
+            r"$\mathbf q$, stacked to an array 3 × 4 × 4",
             3,
             Numbers((3, 4, 4), [[["1", "1", "1", "m"]] * 3 + [["1"] * 4]], decimals=3),
             transforms,

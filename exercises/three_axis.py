@@ -92,7 +92,7 @@ def explain_positional(v: Variant, given: Given) -> list[Step]:
     return [
         Step(
             r"All joints are revolute, $\xi_i = 1$, so column $i$ of $\mathbf A$ is "
-            r"$\mathbf z^{i} \times (\mathbf p^{tool} - \mathbf p^{i})$ (eq. 4.8). In closed form:",
+            r"$\mathbf z^{i} \times (\mathbf p^{tool} - \mathbf p^{i})$ (S0, eq. 4.8). In closed form:",
             r"\mathbf A",
             closed.J[:3, :],
         ),
@@ -103,7 +103,7 @@ def explain_positional(v: Variant, given: Given) -> list[Step]:
 def explain_angular(v: Variant, given: Given) -> list[Step]:
     return [
         Step(
-            r"Column $i$ of $\mathbf B$ is $\xi_i \mathbf z^{i} = \mathbf z^{i}$ (eq. 4.10). With your numbers:",
+            r"Column $i$ of $\mathbf B$ is $\xi_i \mathbf z^{i} = \mathbf z^{i}$ (S0, eq. 4.10). With your numbers:",
             r"\mathbf B",
             numbers=given["three_axis_B"],
         )
@@ -113,7 +113,7 @@ def explain_angular(v: Variant, given: Given) -> list[Step]:
 def explain_stacked(v: Variant, given: Given) -> list[Step]:
     return [
         Step(
-            r"The linear rows stand above the angular ones (eq. 4.12):",
+            r"The linear rows stand above the angular ones (S0, eq. 4.12):",
             r"\mathbf J = \begin{bmatrix}\mathbf A\\ \mathbf B\end{bmatrix}",
             numbers=given["three_axis_J"],
         )
@@ -146,7 +146,10 @@ $\mathbf z^{i}$ along the axis:
 $$\mathbf T_{base}^{1} = T_z(L)\,R_z(q_1), \quad \mathbf T_1^2 = R_x(90°)\,R_z(q_2), \quad
 \mathbf T_2^3 = T_y(a_2)\,R_z(q_3), \quad \mathbf T_3^{tool} = T_x(a_3).$$
 
-$T_x, T_y, T_z$ move along and $R_x, R_z$ turn about an axis of the current frame. Give all vectors in the base frame."""
+$T_x, T_y, T_z$ move along and $R_x, R_z$ turn about an axis of the current frame. Give all vectors in the base frame.
+
+For a small joint displacement $d\mathbf q$ the tool point moves by $d\mathbf p = \mathbf A\,d\mathbf q$ and the tool frame turns by
+$d\mathbf w = \mathbf B\,d\mathbf q$; the Jacobian $\mathbf J$ stacks $\mathbf A$ above $\mathbf B$."""
 
 
 EXERCISE = Exercise(
@@ -185,7 +188,7 @@ EXERCISE = Exercise(
         ),
         Part(
             "three_axis_A",
-            r"The 3 × 3 block $\mathbf A$ of the positional displacements (eq. 4.8)",
+            r"The 3 × 3 block $\mathbf A$ of the positional displacements at your $\mathbf q$",
             3,
             Numbers((3, 3), "m/rad", decimals=3),
             positional,
@@ -198,7 +201,7 @@ EXERCISE = Exercise(
         ),
         Part(
             "three_axis_B",
-            r"The 3 × 3 block $\mathbf B$ of the angular displacements (eq. 4.10)",
+            r"The 3 × 3 block $\mathbf B$ of the angular displacements at your $\mathbf q$",
             1,
             Numbers((3, 3), "1", decimals=3),
             angular,
@@ -209,7 +212,7 @@ EXERCISE = Exercise(
         ),
         Part(
             "three_axis_J",
-            r"The 6 × 3 Jacobian $\mathbf J$, linear rows above angular rows (eq. 4.12)",
+            r"The 6 × 3 Jacobian $\mathbf J$, linear rows above angular rows",
             1,
             Numbers((6, 3), [["m/rad"]] * 3 + [["1"]] * 3, decimals=3),
             stacked,

@@ -12,21 +12,7 @@ import numpy as np
 from ..exercises.drawing import Dimension, Drawing, Triad
 from ..solutions.expression import latex_name
 from ..solutions.kinematics import frames
-from .scene import (
-    Array,
-    Label,
-    Scene,
-    camera,
-    every_pixel,
-    n,
-    norm,
-    outside,
-    pair,
-    spaced,
-    span_inside,
-    square_to,
-    unit,
-)
+from .scene import Array, Label, Scene, camera, every_pixel, n, norm, outside, pair, spaced, span_inside, unit
 
 LINK, ROD, BASE, GRIPPER = "#7d8896", "#c3ccd6", "#4a5361", "#39404a"
 JOINT = {"R": "#e9a23b", "P": "#4fa79d"}
@@ -290,7 +276,7 @@ def _hand(scene: Scene, arm: Arm, bodies: Sequence[Array]) -> Array:
     for solid in bodies:
         span = span_inside(palm, palm + far * ahead, solid)
         if span is not None and span[0] * far < 1.5 * arm.grip + reach:
-            reach = max(reach, span[1] * far + 0.35 * r)
+            reach = max(reach, span[1] * far + 0.9 * r)
     palm = palm + reach * ahead
     if reach:
         wrist = arm.joints[-1]
@@ -441,7 +427,7 @@ def _beside(scene: Scene, a: Array, b: Array, side: Array) -> Array:
     gaps = np.arange(16.0, 78.0, 4.0)
     offsets = np.column_stack([gaps, -gaps]).reshape(-1)
     ends = np.stack([a, b]) + offsets[:, None, None] * side
-    lines = ends[:, :1] + spaced(0, 1, 80)[:, None] * (ends[:, 1:] - ends[:, :1])
+    lines = ends[:, :1] + spaced(0, 1, int(norm(b - a)) + 2)[:, None] * (ends[:, 1:] - ends[:, :1])
     price = np.abs(offsets) + 3 * norm(b - a) * scene.ink_at(lines).mean(1)
     price += 20 * np.maximum(np.abs(ends[:, :, 0]) - scene.width / 2 + 10, 0).sum(1)
     feet = np.stack([a, b])[:, None] + spaced(0.12, 1, 24)[:, None] * offsets[:, None, None, None] * side

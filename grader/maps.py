@@ -326,7 +326,7 @@ def _draw_det(ax: "Axes", robot: "Robot", found: JointMap) -> None:
         ax.text(x, y, sign, color="white", size=17, ha="center", va="center", clip_on=True)
     rows = ", ".join(f"${ROWS[row]}$" for row in found.part.rows)
     note = f"$\\mathbf{{A}}$: rows {rows} of the {found.part.point}'s Jacobian;\nwhite: $\\det\\mathbf{{A}}=0$"
-    rule = _sign_rule(found.part).replace("det A", "its sign").rstrip(".")
+    rule = _sign_rule(found.part).replace("det A", "it").rstrip(".")
     note += ";\n" + _wrapped(rule, 56) if rule else ""
     ax.text(0.5, 0.0, note, transform=_below(ax), ha="center", va="top", size=10, linespacing=1.3)
     formula = _formula(robot, found)
@@ -335,7 +335,7 @@ def _draw_det(ax: "Axes", robot: "Robot", found: JointMap) -> None:
 
 def _below(ax: "Axes") -> Transform:
     """Coordinates whose zero lies under the axis label, however high the panel is."""
-    return ax.transAxes + ScaledTranslation(0.0, -44 / 72, ax.figure.dpi_scale_trans)
+    return ax.transAxes + ScaledTranslation(0.0, -40 / 72, ax.figure.dpi_scale_trans)
 
 
 def _lobes(det: Values, found: JointMap) -> list[tuple[float, float, str]]:
@@ -347,9 +347,9 @@ def _lobes(det: Values, found: JointMap) -> list[tuple[float, float, str]]:
     middle = np.linalg.norm(places - 0.5, axis=1)
     kept: list[int] = []
     for k in np.lexsort([middle, -size[row, column]]):
-        apart = all(np.linalg.norm(places[k] - places[other]) > 0.28 for other in kept)
+        apart = all(np.linalg.norm(places[k] - places[other]) > 0.4 for other in kept)
         window = size[max(row[k] - 12, 0) : row[k] + 13, max(column[k] - 12, 0) : column[k] + 13]
-        if apart and size[row[k], column[k]] > max(0.15, 0.9 * window.max()):
+        if apart and size[row[k], column[k]] > max(0.15, 0.75 * window.max()):
             kept.append(int(k))
     low, span = np.array(found.spans)[:, 0], np.diff(found.spans, axis=1)[:, 0]
     return [(*(low + span * places[k]).tolist(), "+" if det[row[k], column[k]] > 0 else "−") for k in kept]

@@ -249,8 +249,8 @@ class Scene:
         row, column = rows + (corner[0] + self._half), columns + (corner[1] + self._half)
         inside = (np.minimum(row, column) >= 0) & (np.maximum(row, column) < 2 * self._half)
         row, column = row[inside], column[inside]
-        # A joint's body is worth more than a link: labels and arrows keep clear of it.
-        weight = 2.0 if group.startswith("joint") else 1.0
+        # What moves and what grips is worth more than a link: labels and arrows keep clear of it.
+        weight = 2.0 if group.startswith(("joint", "gripper")) else 1.0
         self.ink[row, column] = np.maximum(self.ink[row, column], weight)
         self._stretch(corners)
 

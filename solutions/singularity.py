@@ -166,11 +166,12 @@ def zero_set(
 def trace(field: ScalarField, across: tuple[float, float], up: tuple[float, float], count: int = 361) -> Lines:
     """The zero curves, each (m, 2), of a scalar field that changes sign across them, inside a rectangle."""
     x, y = _grid_lines(*across, count), _grid_lines(*up, count)
-    values = field(*np.meshgrid(x, y, indexing="ij"))
-    # A zero along a whole grid line is rounding noise of either sign; this shift makes it one sign.
-    shift = 1e-13 * float(np.abs(values).max(initial=0.0))
-    values = values + shift
-    points, horizontal, vertical = _crossings(lambda a, b: field(a, b) + shift, x, y, values)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        values = field(*np.meshgrid(x, y, indexing="ij"))
+        # A zero along a whole grid line is rounding noise of either sign; this shift makes it one sign.
+        shift = 1e-13 * float(np.median(np.abs(values)))
+        values = values + shift
+        points, horizontal, vertical = _crossings(lambda a, b: field(a, b) + shift, x, y, values)
     lines = _join(_links(values, horizontal, vertical), len(points))
     low, high = np.array([across[0], up[0]]), np.array([across[1], up[1]])
     return tuple(piece for line in lines for piece in _inside(points[line], low, high))
@@ -225,15 +226,16 @@ def _crossings(
     field: ScalarField, x: Values, y: Values, values: Values
 ) -> tuple[Values, NDArray[np.intp], NDArray[np.intp]]:
     """Roots (k, 2) on the edges of the grid, and for every edge along x and along y its root or -1."""
-    positive = values >= 0
+    positive, size = values >= 0, np.abs(values)
     tables = (np.full((len(x) - 1, len(y)), -1), np.full((len(x), len(y) - 1), -1))
     i, j = np.nonzero(positive[1:] != positive[:-1])
     along_x = np.column_stack([_bisect(lambda a: field(a, y[j]), x[i], x[i + 1]), y[j]])
     m, n = np.nonzero(positive[:, 1:] != positive[:, :-1])
     along_y = np.column_stack([x[m], _bisect(lambda b: field(x[m], b), y[n], y[n + 1])])
     points = np.concatenate([along_x, along_y])
+    ends = np.concatenate([np.maximum(size[i, j], size[i + 1, j]), np.maximum(size[m, n], size[m, n + 1])])
     # A pole changes sign too (tan), but its "root" is huge.
-    true = np.abs(field(points[:, 0], points[:, 1])) <= 1e-6 * np.abs(values).max(initial=0.0)
+    true = np.abs(field(points[:, 0], points[:, 1])) <= ends
     numbers = np.where(true, np.arange(len(points)), -1)
     tables[0][i, j], tables[1][m, n] = numbers[: len(i)], numbers[len(i) :]
     return points, *tables

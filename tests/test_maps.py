@@ -1,0 +1,164 @@
+# pyright: basic
+"""Figures of every robot: what they name, where they draw it, that it fits the paper and comes out the same."""
+
+import re
+import struct
+import subprocess
+import sys
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from kinegrade.grader.maps import FigureError, describe, figure, joint_map, save
+from kinegrade.solutions.robots import ROBOTS, Robot
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from matplotlib.text import Text
+
+TURN = (-np.pi, np.pi)
+SCARA = Robot(
+    name="scara",
+    title="SCARA",
+    parameters={"a1": 0.325, "a2": 0.275},
+    rows=(("q1", "0", "a1", "0"), ("q2", "0", "a2", "pi"), ("0", "q3", "0", "0"), ("q4", "0.05", "0", "0")),
+    limits=(TURN, (-2.5, 2.5), (0.0, 0.2), TURN),
+    source="chosen here",
+    task_rows=(0, 1, 2, 5),
+)
+FIGURES = {name: figure(robot) for name, robot in ROBOTS.items()}
+
+
+def _texts(drawn: Figure) -> str:
+    return "\n".join(text.get_text() for text in drawn.findobj(Text) if isinstance(text, Text))
+
+
+@pytest.mark.parametrize("name", ROBOTS)
+def test_every_robot_has_three_panels_that_name_its_factors(name):
+    drawn = FIGURES[name]
+    assert len(drawn.axes) == 3
+    legends = _texts(drawn).replace("\n", " ")
+    for curve, _ in joint_map(ROBOTS[name]).curves:
+        assert curve in legends
+
+
+@pytest.mark.parametrize("name", ROBOTS)
+def test_nothing_is_drawn_beyond_the_paper(name):
+    drawn = FIGURES[name]
+    renderer = FigureCanvasAgg(drawn).get_renderer()
+    for text in drawn.findobj(Text):
+        if isinstance(text, Text) and text.get_visible() and text.get_text().strip():
+            box = text.get_window_extent(renderer)
+            assert box.x0 > -1
+            assert box.y0 > -1
+            assert box.x1 < drawn.bbox.width + 1
+            assert box.y1 < drawn.bbox.height + 1
+
+
+@pytest.mark.parametrize(
+    ("name", "formula"),
+    [
+        ("planar_2r", r"l_1\,l_2\,s_{2}"),
+        ("three_axis", r"a_2\,a_3\,c_{3}\,(a_3\,c_{23}-a_2\,s_{2})"),
+        ("rrt_spherical", r"-q_3^2\,s_{2}"),
+        ("rrt_offset", r"-q_3\,(a_1+q_3\,s_{2})"),
+        ("puma560", r"-a_2\,(a_3\,s_{3}+d_4\,c_{3})\,(a_2\,c_{2}+a_3\,c_{23}-d_4\,s_{23})"),
+    ],
+)
+def test_the_title_prints_the_determinant(name, formula):
+    assert rf"$\det\mathbf{{A}}={formula}$" in _texts(FIGURES[name])
+
+
+def test_the_pumas_map_draws_both_elbow_lines_over_its_whole_width():
+    elbow = dict(joint_map(ROBOTS["puma560"]).curves)["elbow: arm straight or folded"]
+    drawn = [line.get_xydata() for line in FIGURES["puma560"].axes[0].lines]
+    for line in elbow:
+        assert np.ptp(line[:, 0]) == pytest.approx(2 * np.pi)
+        assert any(np.array_equal(line, other) for other in drawn)
+    assert sorted(round(float(np.degrees(line[0, 1])), 3) for line in elbow) == [-87.308, 92.692]
+
+
+@pytest.mark.parametrize("name", ROBOTS)
+def test_the_map_is_dark_on_the_named_curves_and_nowhere_else(name):
+    found = joint_map(ROBOTS[name])
+    lines = np.concatenate([line for _, curves in found.curves for line in curves])
+    place = (lines - np.array(found.spans)[:, 0]) / np.diff(found.spans, axis=1)[:, 0]
+    column, row = np.minimum((place * 181).astype(int), 180).T
+    near = np.zeros(found.sigma.shape, dtype=bool)
+    for a in (-1, 0, 1):
+        for b in (-1, 0, 1):
+            near[np.clip(row + a, 0, 180), np.clip(column + b, 0, 180)] = True
+    top = found.sigma.max()
+    assert found.sigma[row, column].max() < 0.08 * top
+    assert found.sigma[~near].min() > 3e-4 * top
+
+
+def test_the_description_states_the_finding_with_numbers():
+    text = describe(ROBOTS["puma560"])
+    for number in ("-87.31°", "92.69°", "0.15 m", "0.877 m", "0.15005 m"):
+        assert number in text
+    assert "changes sign across shoulder, but not across stroke" in describe(ROBOTS["rrt_spherical"])
+    assert "0.3 m to 1.7 m" in describe(ROBOTS["planar_2r"])
+    assert "0.5 m to 1.5 m" in describe(ROBOTS["planar_2r"], {"l2": 0.5})
+
+
+@pytest.mark.parametrize("name", ROBOTS)
+def test_no_description_has_an_empty_pair_of_brackets_or_a_nan(name):
+    assert not re.search(r"\(\)|nan|inf\b|  ", describe(ROBOTS[name]))
+
+
+@pytest.mark.parametrize(
+    "robot", [SCARA, replace(ROBOTS["rrt_offset"], factors=()), replace(ROBOTS["planar_2r"], factors=())], ids=str
+)
+def test_a_robot_without_factors_still_has_a_map(robot):
+    assert len(figure(robot).axes) == 3
+    assert "at most" in describe(robot)
+
+
+def test_a_robot_of_one_joint_is_refused_with_a_sentence():
+    single = Robot("pendulum", "pendulum", {"l": 1.0}, (("q1", "0", "l", "0"),), (TURN,), "chosen here", task_rows=(0,))
+    with pytest.raises(FigureError, match="two joints or more, got pendulum with 1"):
+        figure(single)
+
+
+@pytest.mark.parametrize(("suffix", "start"), [("png", b"\x89PNG"), ("svg", b"<?xml"), ("pdf", b"%PDF")])
+def test_saving_twice_gives_the_same_bytes_and_leaves_nothing_else(tmp_path, suffix, start):
+    for name in ("one", "two"):
+        save(ROBOTS["planar_2r"], tmp_path / f"{name}.{suffix}")
+    one, two = ((tmp_path / f"{name}.{suffix}").read_bytes() for name in ("one", "two"))
+    assert one == two
+    assert one.startswith(start)
+    assert len(one) < 400_000
+    assert len(list(tmp_path.iterdir())) == 2
+
+
+def test_the_png_is_1200_pixels_wide(tmp_path):
+    save(ROBOTS["planar_2r"], tmp_path / "arm.png")
+    assert struct.unpack(">I", (tmp_path / "arm.png").read_bytes()[16:20]) == (1200,)
+
+
+def test_a_failed_save_leaves_the_old_file_and_no_other(tmp_path, monkeypatch):
+    path = tmp_path / "arm.png"
+    path.write_bytes(b"old")
+
+    def broken(*_args, **_options):
+        raise OSError("disk full")
+
+    monkeypatch.setattr(Figure, "savefig", broken)
+    with pytest.raises(OSError, match="disk full"):
+        save(ROBOTS["planar_2r"], path)
+    assert [p.read_bytes() for p in tmp_path.iterdir()] == [b"old"]
+
+
+def test_another_suffix_is_refused_with_a_sentence(tmp_path):
+    with pytest.raises(FigureError, match=r"\.png, \.svg or \.pdf, got 'arm\.jpg'"):
+        save(ROBOTS["planar_2r"], tmp_path / "arm.jpg")
+
+
+def test_figures_leave_the_style_of_others_alone_and_pyplot_unloaded():
+    code = (
+        "import sys, matplotlib; before = matplotlib.rcParams.copy();"
+        "from kinegrade.grader.maps import figure; from kinegrade.solutions.robots import ROBOTS;"
+        "figure(ROBOTS['planar_2r']); assert not {'matplotlib.pyplot', 'sympy'} & set(sys.modules);"
+        "assert all(matplotlib.rcParams[k] == before[k] for k in before if k != 'backend')"
+    )
+    subprocess.run([sys.executable, "-W", "error", "-c", code], check=True)

@@ -1,0 +1,124 @@
+"""Reach in closed form, and sections whose cells and curves were found apart and must agree."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from kinegrade.solutions.robots import ROBOTS
+from kinegrade.solutions.singularity import arm
+from kinegrade.solutions.workspace import LIMITS, Curve, meridian, reach, section
+
+SECTIONS = {name: section(robot) for name, robot in ROBOTS.items()}
+
+
+def _named(name: str, start: str) -> list[Curve]:
+    return [curve for curve in SECTIONS[name].curves if curve.name.startswith(start)]
+
+
+@pytest.mark.parametrize(
+    ("name", "parameters", "expected"),
+    [
+        ("planar_2r", {}, (0.3, 1.7)),
+        ("planar_2r", {"l1": 0.5, "l2": 0.5}, (0.0, 1.0)),
+        ("three_axis", {}, (0.0, 4.0)),
+        ("rrt_spherical", {}, (0.0, 1.0)),
+        ("rrt_offset", {}, (0.15, np.hypot(1.2, 0.15))),
+        ("puma560", {}, (0.15005, np.hypot(0.4318 + np.hypot(0.4318, 0.0203), 0.15005))),
+    ],
+)
+def test_reach_is_the_closed_form(name: str, parameters: dict[str, float], expected: tuple[float, float]) -> None:
+    assert reach(ROBOTS[name], parameters) == pytest.approx(expected, abs=1e-9)
+
+
+def test_reach_from_the_base_counts_the_height() -> None:
+    near, far = reach(ROBOTS["rrt_spherical"], of="base")
+    assert far == pytest.approx(1.6)
+    assert near == pytest.approx(0.6 * np.sin(np.pi / 3))
+
+
+def test_the_meridian_keeps_the_batch_and_does_not_see_q1() -> None:
+    chain = ROBOTS["rrt_offset"].chain()
+    q = np.random.default_rng(3).uniform(-1, 1, (4, 5, 3))
+    turned = q + np.array([0.7, 0.0, 0.0])
+    assert meridian(chain, q).shape == (4, 5, 2)
+    np.testing.assert_allclose(meridian(chain, q), meridian(chain, turned))
+
+
+@pytest.mark.parametrize("name", ROBOTS)
+def test_curves_are_images_of_their_configurations_within_the_limits(name: str) -> None:
+    part = arm(ROBOTS[name])
+    low, high = np.transpose(part.limits)
+    for curve in SECTIONS[name].curves:
+        assert curve.points.shape == (len(curve.q), 2)
+        assert ((curve.q >= low) & (curve.q <= high)).all()
+        if SECTIONS[name].axes == ("r", "z"):
+            np.testing.assert_allclose(curve.points, meridian(part.chain, curve.q), atol=1e-12)
+
+
+@pytest.mark.parametrize("name", ROBOTS)
+def test_every_rim_of_the_cells_lies_on_a_boundary_curve(name: str) -> None:
+    """The cells know nothing of the curves: where they end, a curve marked as boundary must pass."""
+    cut = SECTIONS[name]
+    reached = np.pad(~np.isnan(cut.cells), 1)
+    around = np.all([np.roll(reached, s, a) for s in (-1, 1) for a in (0, 1)], axis=0)
+    rows, columns = np.nonzero((reached & ~around)[1:-1, 1:-1])
+    size = (cut.extent[1] - cut.extent[0]) / cut.cells.shape[1]
+    rim = np.column_stack([cut.extent[0] + (columns + 0.5) * size, cut.extent[2] + (rows + 0.5) * size])
+    if cut.axes == ("r", "z"):
+        rim = rim[rim[:, 0] > 2 * size]  # axis 1 ends the half plane, not the workspace
+    walls = np.concatenate([curve.points[curve.boundary] for curve in cut.curves])
+    gap = np.linalg.norm(rim[:, None] - walls, axis=-1).min(axis=1)
+    assert gap.max() < 4 * size
+
+
+@pytest.mark.parametrize("name", ROBOTS)
+def test_boundary_curves_have_empty_cells_beside_them(name: str) -> None:
+    cut = SECTIONS[name]
+    size = (cut.extent[1] - cut.extent[0]) / cut.cells.shape[1]
+    empty = np.pad(np.isnan(cut.cells), 3, constant_values=True)
+    near = np.any([np.roll(empty, (a, b), (0, 1)) for a in (-2, 0, 2) for b in (-2, 0, 2)], axis=0)
+    for curve in cut.curves:
+        column, row = (((curve.points - [cut.extent[0], cut.extent[2]]) / size).astype(int) + 3).T
+        assert np.count_nonzero(~near[row, column] & curve.boundary) <= 1  # where it ceases to be one
+
+
+def test_the_planar_ring_lies_between_its_two_singular_circles() -> None:
+    cut = SECTIONS["planar_2r"]
+    assert cut.axes == ("x", "y")
+    radii = {round(float(r), 9) for curve in cut.curves for r in np.linalg.norm(curve.points, axis=1)}
+    assert radii == {0.3, 1.7}
+    assert all(curve.boundary.all() for curve in cut.curves)
+
+
+def test_the_pumas_shoulder_bounds_a_void_around_axis_1() -> None:
+    for curve in _named("puma560", "shoulder"):
+        np.testing.assert_allclose(curve.points[:, 0], 0.15005)
+        assert curve.boundary.all()
+
+
+def test_a_tool_that_crosses_axis_1_is_singular_inside_its_workspace() -> None:
+    for name in ("three_axis", "rrt_spherical"):
+        for curve in _named(name, "shoulder"):
+            np.testing.assert_allclose(curve.points[:, 0], 0, atol=1e-9)
+            assert not curve.boundary.any()
+
+
+def test_a_joint_limit_bounds_a_part_of_the_workspace_and_crosses_another() -> None:
+    limits = _named("puma560", LIMITS)
+    assert any(curve.boundary.all() for curve in limits)
+    assert any(curve.boundary.any() and not curve.boundary.all() for curve in limits)
+
+
+def test_the_cells_hold_the_largest_sigma_min_and_vanish_at_the_rim() -> None:
+    cut = SECTIONS["planar_2r"]
+    y, x = np.indices(cut.cells.shape) - (np.array(cut.cells.shape)[:, None, None] - 1) / 2
+    r = np.hypot(x, y) * (cut.extent[1] - cut.extent[0]) / cut.cells.shape[1]
+    assert np.nanmax(cut.cells) == pytest.approx(0.7, abs=1e-3)
+    assert np.nanmax(cut.cells[(r > 1.69) | (r < 0.31)]) < 0.12
+    assert np.isnan(cut.cells[(r > 1.72) | (r < 0.28)]).all()
+    assert not np.isnan(cut.cells[(r < 1.68) & (r > 0.32)]).any()
+
+
+def test_a_robot_without_factors_has_its_joint_limit_curves_only() -> None:
+    bare = replace(ROBOTS["rrt_offset"], factors=())
+    assert {curve.name for curve in section(bare).curves} == {LIMITS}
