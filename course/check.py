@@ -8,10 +8,11 @@ from typing import Any, get_args
 
 from ..exercises.catalogue import exercise_files, find
 from ..exercises.exercise import Exercise
-from ..grader.collect import Ask, Limits, Raw
+from ..grader.collect import Ask, Limits
 from ..grader.mark import mark
 from ..grader.own_work import Remark, remarks
 from ..grader.verdict import STATUS_WORDS, Verdict
+from ..grader.wire import Raw
 from .config import CourseError, Mode
 from .notebook import KEY
 from .submissions import read_submission

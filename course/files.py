@@ -8,10 +8,12 @@ from pathlib import Path
 def write_atomically(path: Path, data: bytes | str) -> None:
     """The whole new content or the old: written under a temporary name beside it, synced, then renamed."""
     path.parent.mkdir(parents=True, exist_ok=True)
+    # A student's text may hold half a surrogate pair, which UTF-8 cannot; a question mark stands for it.
+    content = data.encode("utf-8", errors="replace") if isinstance(data, str) else data
     handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.", suffix=".part")
     try:
         with os.fdopen(handle, "wb") as file:
-            file.write(data.encode("utf-8") if isinstance(data, str) else data)
+            file.write(content)
             file.flush()
             os.fsync(file.fileno())
         os.chmod(name, 0o644)  # noqa: PTH101 - mkstemp gives 0600; a sheet is for its student

@@ -11,9 +11,10 @@ from typing import Any
 
 from ..exercises.catalogue import exercise_files
 from ..exercises.exercise import Exercise
-from ..grader.collect import Ask, Limits, Raw
+from ..grader.collect import Ask, Limits
 from ..grader.mark import mark
 from ..grader.verdict import Verdict, not_graded
+from ..grader.wire import Raw
 from .config import Course, CourseError, Sheet, Student
 from .gradebook import GradeKey, Gradebook
 from .sheets import exercises_of

@@ -14,6 +14,7 @@ from ..grader.arm import draw
 from ..grader.raster import data_uri, png
 from ..solutions.table import Table
 from .config import Sheet, Student
+from .escape import no_markup
 from .formulas import closed_form, given_number, matrix
 
 Pair = tuple[Exercise, dict[str, Any]]
@@ -96,18 +97,13 @@ def _heading(course: str, sheet: Sheet, student: Student, pairs: Sequence[Pair])
     minutes = sum(exercise.minutes for exercise, _ in pairs)
     lines = [
         f"# {sheet.title or sheet.name}",
-        f"{course} · sheet `{sheet.name}` · **{_plain(student.name)}** (`{student.id}`) · {_points(points)} · "
+        f"{course} · sheet `{sheet.name}` · **{no_markup(student.name)}** (`{student.id}`) · {_points(points)} · "
         f"about {minutes} minutes",
         "The numbers on this sheet are yours alone. Replace each `...` by your answer and keep the names of the "
         "variables: answers are collected by name. Run all cells, save, and hand in this file.",
         "Units are metres, radians and seconds. In every Jacobian and twist the linear rows stand above the angular ones.",
     ]
     return "\n\n".join(lines)
-
-
-def _plain(name: str) -> str:
-    """A student's name without what Markdown or HTML would read as markup."""
-    return "".join(char for char in name if char not in "*_`<>[]\\$&#|")
 
 
 def _question(number: int, exercise: Exercise, v: dict[str, Any]) -> str:

@@ -4,8 +4,9 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from ..grader.collect import Ask, Limits, Raw, collect
+from ..grader.collect import Ask, Limits, collect
 from ..grader.named_matrices import from_csv, from_json
+from ..grader.wire import Raw
 from .config import CourseError
 
 MAX_BYTES = 25 << 20

@@ -7,9 +7,11 @@ from collections.abc import Sequence
 
 from rich.box import SIMPLE_HEAD
 from rich.table import Table
+from rich.text import Text
 
 from ..exercises.exercise import Exercise
 from ..grader.verdict import STATUS_WORDS
+from .escape import no_formula, printable
 from .grading import Result
 
 MARKS = {"correct": "✓", "partly": "◐", "incorrect": "✗", "missing": "–", "failed": "!", "not_graded": "?"}
@@ -26,7 +28,7 @@ def terminal_table(results: Sequence[Result], exercises: Sequence[Exercise]) -> 
     for result in results:
         marks = {verdict.part: MARKS[verdict.status] for verdict in result.verdicts}
         shown = ["".join(marks.get(part.variable, " ") for part in exercise.asked) for exercise in exercises]
-        table.add_row(result.student.id, *shown, points_text(result), remark(result))
+        table.add_row(result.student.id, *shown, points_text(result), Text(printable(remark(result))))
     return table
 
 
@@ -63,7 +65,7 @@ def grades_csv(results: Sequence[Result], parts: Sequence[str]) -> str:
         writer.writerow(
             [
                 result.student.id,
-                _no_formula(result.student.name),
+                no_formula(result.student.name),
                 result.sheet,
                 status(result),
                 "" if result.points is None else f"{result.points:g}",
@@ -79,11 +81,6 @@ def status(result: Result) -> str:
     if result.points is not None:
         return "graded"
     return "not_graded" if result.verdicts else "no_submission"
-
-
-def _no_formula(text: str) -> str:
-    """Spreadsheets run cells that start like a formula."""
-    return f"'{text}" if text[:1] in "=+-@\t\r" else text
 
 
 def results_json(results: Sequence[Result]) -> str:

@@ -16,9 +16,9 @@ import time
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Literal
 
-Kind = Literal["num", "text", "missing", "error"]
+from .wire import Raw, read_frame
+
 RUNNER = Path(__file__).with_name("runner.py")
 MAX_FRAME = 4 << 20
 MAX_NOTEBOOK = 20 << 20
@@ -41,14 +41,6 @@ class Limits:
     file_mb: int = 16
 
 
-@dataclass(frozen=True)
-class Raw:
-    """A value as it came out, not yet read: numbers (shape, re, im), nested text, or why there is none."""
-
-    kind: Kind
-    value: Any = None
-
-
 def collect(notebook: bytes, asks: Sequence[Ask], limits: Limits | None = None) -> dict[str, Raw]:
     """The asked variables after all cells ran, by name; a cell that fails or loops costs only its own variables."""
     limits = limits or Limits()
@@ -61,7 +53,7 @@ def collect(notebook: bytes, asks: Sequence[Ask], limits: Limits | None = None) 
         "cell_seconds": limits.cell_seconds,
     }
     frame, why = _run(json.dumps(request).encode(), limits)
-    return _read_frame(frame, [ask.name for ask in asks], why)
+    return read_frame(frame, [ask.name for ask in asks], why)
 
 
 def _run(request: bytes, limits: Limits) -> tuple[bytes, str]:
@@ -156,48 +148,3 @@ def _end(process: "subprocess.Popen[bytes]") -> None:
     except ProcessLookupError:
         pass
     process.wait()
-
-
-def _read_frame(frame: bytes, names: Sequence[str], why: str) -> dict[str, Raw]:
-    """Raw values from bytes that the student's process wrote: checked, never trusted."""
-    nothing = why or "the notebook ended its own process before it finished"
-    try:
-        values: Any = json.loads(frame) if frame else {}
-    except (ValueError, RecursionError):
-        values = {}
-    if not isinstance(values, dict):
-        values = {}
-    found: dict[str, Raw] = {name: _read_value(values.get(name)) for name in names}  # pyright: ignore[reportUnknownMemberType, reportUnknownArgumentType]
-    if why or not values:
-        unfinished = {name: Raw("error", nothing) for name, raw in found.items() if raw.kind == "missing"}
-        found |= unfinished
-    return found
-
-
-def _read_value(data: Any) -> Raw:
-    if not isinstance(data, dict):
-        return Raw("missing", "")
-    kind: Any = data.get("k")  # pyright: ignore[reportUnknownMemberType, reportUnknownVariableType]
-    value: Any = data.get("v")  # pyright: ignore[reportUnknownMemberType, reportUnknownVariableType]
-    if kind in ("missing", "error"):
-        return Raw(kind, str(value)[:400])
-    if kind == "text" and isinstance(value, list | str):
-        return Raw("text", value)
-    if kind == "num" and _is_numeric(value):
-        return Raw("num", value)
-    return Raw("error", "the value is not one that can be marked")
-
-
-def _is_numeric(value: Any) -> bool:
-    if not isinstance(value, dict) or set(value) != {"shape", "re", "im"}:  # pyright: ignore[reportUnknownArgumentType]
-        return False
-    shape, parts = value["shape"], (value["re"], value["im"])  # pyright: ignore[reportUnknownVariableType]
-    if not isinstance(shape, list) or not all(type(n) is int and 0 <= n <= 4096 for n in shape):  # pyright: ignore[reportUnknownVariableType]
-        return False
-    size = 1
-    for n in shape:  # pyright: ignore[reportUnknownVariableType]
-        size *= n  # pyright: ignore[reportUnknownVariableType]
-    return all(
-        isinstance(part, list) and len(part) in (0, size) and all(isinstance(x, float) for x in part)  # pyright: ignore[reportUnknownVariableType, reportUnknownArgumentType]
-        for part in parts  # pyright: ignore[reportUnknownVariableType]
-    )

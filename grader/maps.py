@@ -6,6 +6,7 @@ import re
 import textwrap
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -76,7 +77,7 @@ class JointMap:
 def figure(robot: "Robot", parameters: Parameters = None) -> Figure:
     """The robot's singularities and workspace: three panels, 12 inches wide."""
     with mpl.rc_context(STYLE):
-        found, cut = joint_map(robot, parameters), section(robot, parameters)
+        found, cut = _found(robot, tuple(robot.values(parameters).items()))
         flat = found.part.chain.kinds == "RR" and cut.axes == ("x", "y")
         drawn = Figure(figsize=(12, 4.7 if flat else 5.5), dpi=100, layout="constrained")
         FigureCanvasAgg(drawn)
@@ -131,6 +132,12 @@ def joint_map(robot: "Robot", parameters: Parameters = None) -> JointMap:
         for factor in part.factors
     )
     return JointMap(part, free, spans, held, sigma_min(block), det, curves)
+
+
+@lru_cache(maxsize=8)
+def _found(robot: "Robot", values: tuple[tuple[str, float], ...]) -> tuple[JointMap, Section]:
+    """Both halves of a figure, kept for its description and its other formats."""
+    return joint_map(robot, dict(values)), section(robot, dict(values))
 
 
 def _span(part: Arm, joint: int) -> tuple[float, float]:
@@ -469,7 +476,7 @@ def _symbol(text: str) -> str:
 
 def describe(robot: "Robot", parameters: Parameters = None) -> str:
     """The figure in words: what is singular and where, how far the tool gets, and what bounds its workspace."""
-    found, cut = joint_map(robot, parameters), section(robot, parameters)
+    found, cut = _found(robot, tuple(robot.values(parameters).items()))
     part, point = found.part, found.part.point
     values = ", ".join(f"{name} = {value:.5g} m" for name, value in robot.values(parameters).items())
     first, second = (f"q{i + 1}" for i in found.free)
@@ -500,7 +507,7 @@ def _where(found: JointMap, lines: tuple[Values, ...]) -> str:
     for k, joint in ((1, found.free[1]), (0, found.free[0])):
         if lines and all(np.ptp(line[:, k]) < 1e-6 for line in lines):
             values = {
-                _value(found.part, joint, float(line[0, k])): None for line in sorted(lines, key=lambda v: v[0, k])
+                _value(found.part, joint, float(line[0, k])): None for line in sorted(lines, key=lambda v: abs(v[0, k]))
             }
             return f"q{joint + 1} = " + " and ".join(values)
     return "a curve across the map" if lines else "nowhere on the map"

@@ -10,12 +10,12 @@ import numpy as np
 
 from ..exercises.exercise import Exercise, Numbers, Part, TableOf, Variant, references, solve
 from ..solutions.table import Table
-from .collect import Raw
 from .compare import Mask, earning_entries, fraction, right_entries, varying_entries
 from .findings import findings, presentation
 from .read import Unreadable, read
 from .tolerance import tolerance
 from .verdict import Finding, Verdict, not_graded
+from .wire import Raw
 
 SAMPLE = 12  # draws that decide which entries vary between students
 SAME = 2e-3  # two answers this close were not computed from different numbers
@@ -130,7 +130,7 @@ def _follow(sheet: _Sheet, part: Part, answer: Any) -> Verdict | None:
     try:
         with np.errstate(all="ignore"):
             wanted = solve(sheet.exercise.slug, part, sheet.v, given)
-            if _trivial(part, sheet.reference[part.variable], wanted):
+            if any(_trivial(sheet.reference[name], value) for name, value in (given | {part.variable: wanted}).items()):
                 return None
             verdict = _compare(sheet, part, given, answer)
     except Exception:  # noqa: BLE001 - solve() on a student's data may fail in any way; then nothing follows from it
@@ -156,13 +156,13 @@ def owner_of(part: Part, answer: Any, others: Others) -> str:
     return ""
 
 
-def _trivial(part: Part, reference: Any, wanted: Any) -> bool:
-    """Whether wrong data made the part easier than it is: fewer different numbers, or a lower rank."""
-    if isinstance(wanted, Table) or not isinstance(part.answer, Numbers):
+def _trivial(reference: Any, own: Any) -> bool:
+    """Whether own data, or what follows from them, are easier than they should be: fewer numbers or a lower rank."""
+    if isinstance(own, Table):
         return False
-    if wanted.ndim == 2 and np.linalg.matrix_rank(wanted, 1e-6) < np.linalg.matrix_rank(reference, 1e-6):
+    if own.ndim == 2 and np.linalg.matrix_rank(own, 1e-6) < np.linalg.matrix_rank(reference, 1e-6):
         return True
-    return 4 * _different_numbers(wanted) < 3 * _different_numbers(reference)
+    return 4 * _different_numbers(own) < 3 * _different_numbers(reference)
 
 
 def _different_numbers(array: Any) -> int:

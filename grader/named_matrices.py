@@ -5,7 +5,10 @@ import json
 from collections.abc import Sequence
 from typing import Any
 
-from .collect import Ask, Raw
+import numpy as np
+
+from .collect import Ask
+from .wire import Raw
 
 MAX_BYTES = 2 << 20
 
@@ -72,7 +75,7 @@ def _raw(value: Any) -> Raw:
         return Raw("text", value)
     if not all(isinstance(x, int | float) and not isinstance(x, bool) for x in flat):
         return Raw("error", f"not a matrix of numbers: it holds {json.dumps(value)[:60]}")
-    return Raw("num", {"shape": shape, "re": [float(x) for x in flat], "im": []})
+    return Raw("num", np.array(flat, dtype=float).reshape(shape))
 
 
 def _flatten(value: Any) -> tuple[list[int], list[Any]]:

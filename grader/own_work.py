@@ -7,9 +7,9 @@ from typing import Any, Literal
 import numpy as np
 
 from ..exercises.exercise import Exercise, Part, Variant, solve
-from .collect import Raw
 from .compare import right_entries
 from .read import Unreadable, read
+from .wire import Raw
 
 Mode = Literal["practice", "graded", "exam"]
 

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from ..exercises.exercise import Answer, Numbers, TableOf, Variant
 from ..solutions.errors import KinegradeError
 from ..solutions.table import Table, read_table
-from .collect import Raw
+from .wire import Raw
 
 
 class Unreadable(KinegradeError):
@@ -32,7 +32,7 @@ def read(answer: Answer, raw: Raw, v: Variant) -> Any:
 def _numbers(answer: Numbers, raw: Raw, _: Variant) -> NDArray[np.float64]:
     if raw.kind != "num":
         raise Unreadable(f"takes numbers of shape {answer.shape}, got text: {_clip(raw.value)}")
-    array = _array(raw)
+    array = raw.value
     if np.iscomplexobj(array):
         raise Unreadable("takes real numbers, got complex ones")
     shape = array.shape
@@ -42,13 +42,6 @@ def _numbers(answer: Numbers, raw: Raw, _: Variant) -> NDArray[np.float64]:
         where = tuple(int(i) + 1 for i in np.argwhere(~np.isfinite(array))[0])
         raise Unreadable(f"takes finite numbers, got NaN or infinity, first at {_place(where)}")
     return array.reshape(answer.shape)
-
-
-def _array(raw: Raw) -> NDArray[Any]:
-    real = np.array(raw.value["re"], dtype=float)
-    imaginary = np.array(raw.value["im"] or np.zeros_like(real))
-    array = real + 1j * imaginary if imaginary.any() else real
-    return array.reshape(raw.value["shape"])
 
 
 def _shape_hint(shape: tuple[int, ...], asked: tuple[int, ...]) -> str:
@@ -79,7 +72,7 @@ def _table(answer: TableOf, raw: Raw, v: Variant) -> Table:
 
 def _cells(raw: Raw, shape: tuple[int, int]) -> list[list[Any]]:
     if raw.kind == "num":
-        array = _array(raw)
+        array = raw.value
         if array.shape == shape and np.isfinite(array).all():
             return array.tolist()
         raise Unreadable(f"takes a table of shape {shape}: theta, d, a, alpha for each joint, got {array.shape}")

@@ -2,8 +2,8 @@
 """Runs inside the student's process: one self-contained file, started by path with -I, importing nothing of ours.
 
 Standard input is the request; the file descriptor named on the command line takes frames: eight bytes of length, then
-JSON with every asked variable as it stands. A frame follows every cell, so that a process that has to be killed in a
-later cell has still handed over the earlier answers.
+JSON with every asked variable as it stands, and whether this was the last cell. A frame follows every cell, so that a
+process that has to be killed in a later cell has still handed over the earlier answers.
 """
 
 import ast
@@ -152,18 +152,29 @@ def assigns(source, name):
     )
 
 
-def snapshot(names, scope, failures):
+def snapshot(names, scope, failures, seconds):
     """Every asked variable as data; a missing or untouched one carries the error of the cell that should set it."""
     values = {}
     for name in names:
-        try:
-            value = encode(scope[name]) if name in scope else {"k": "missing", "v": ""}
-        except BaseException as error:
+        value, error = limited(lambda name=name: encode(scope[name] if name in scope else ...), seconds)
+        if error:
             value = {"k": "error", "v": f"could not be read ({type(error).__name__})"}
         if name in failures and value["k"] in ("missing", "error"):
             value = {"k": "error", "v": failures[name]}
         values[name] = value
-    return json.dumps(values, default=str).encode()
+    return values
+
+
+def limited(action, seconds):
+    """What an action returns and what it raised, under an alarm that rings again against a bare except."""
+    try:
+        signal.setitimer(signal.ITIMER_REAL, seconds, 0.2)
+        try:
+            return action(), None
+        finally:
+            signal.setitimer(signal.ITIMER_REAL, 0)
+    except BaseException as error:
+        return None, error
 
 
 def run_cell(source, scope, transform):
@@ -187,7 +198,7 @@ def run(request, write):
         cells = code_cells(request["notebook"])
     except (ValueError, TypeError, AttributeError, RecursionError) as error:
         reason = "the file is not a notebook" + (f": {error}" if isinstance(error, json.JSONDecodeError) else "")
-        return write(json.dumps({name: {"k": "error", "v": reason} for name in names}).encode())
+        return write({"done": True, "values": {name: {"k": "error", "v": reason} for name in names}})
     module = types.ModuleType("__main__")
     sys.modules["__main__"] = module
     sys.modules["kinegrade"] = None  # the reference engine is no way to answer the sheet
@@ -197,18 +208,11 @@ def run(request, write):
     scope["get_ipython"] = lambda: shell
     for number, source in enumerate(cells, 1):
         before = {name: id(scope.get(name)) for name in names}
-        signal.setitimer(signal.ITIMER_REAL, seconds, 0.2)  # again and again, against a bare except
-        try:
-            run_cell(source, scope, transform)
-        except BaseException as error:
-            signal.setitimer(signal.ITIMER_REAL, 0)
+        _, error = limited(lambda source=source: run_cell(source, scope, transform), seconds)
+        if error:
             said = failure(number, error, seconds)
-            for name in names:
-                if assigns(source, name) and id(scope.get(name)) == before[name]:
-                    failures[name] = said
-        finally:
-            signal.setitimer(signal.ITIMER_REAL, 0)
-        write(snapshot(names, scope, failures))
+            failures |= {name: said for name in names if assigns(source, name) and id(scope.get(name)) == before[name]}
+        write({"done": number == len(cells), "values": snapshot(names, scope, failures, seconds)})
     return None
 
 
@@ -223,11 +227,12 @@ def main():
     warnings.simplefilter("ignore")
     sys.stdin = io.StringIO()
     sys.stdout = sys.stderr = Capped()
-    # Bound here: a notebook that replaces os.write or json.dumps changes its own modules, not these names' use.
-    write_bytes = os.write
+    # Bound here, so that a notebook that replaces os.write or json.dumps still hands over its answers.
+    write_bytes, dumps = os.write, json.dumps
 
     def write(frame):
-        data = len(frame).to_bytes(8, "little") + frame
+        text = dumps(frame).encode()
+        data = len(text).to_bytes(8, "little") + text
         while data:
             data = data[write_bytes(fd, data) :]
 

@@ -6,7 +6,7 @@ from functools import cache
 import numpy as np
 
 from kinegrade.exercises.catalogue import exercise_files, find
-from kinegrade.grader.collect import Raw
+from kinegrade.grader.wire import Raw
 
 SLUGS = sorted(exercise_files())
 EXERCISES = {slug: find(slug, exercise_files()) for slug in SLUGS}
@@ -26,8 +26,7 @@ def raw(value):
         return Raw("text", value)
     if hasattr(value, "rows"):
         return Raw("text", [[str(cell) for cell in row] for row in value.rows])
-    array = np.asarray(value, dtype=float)
-    return Raw("num", {"shape": list(array.shape), "re": array.ravel().tolist(), "im": []})
+    return Raw("num", np.asarray(value, dtype=float))
 
 
 def raws(answers):

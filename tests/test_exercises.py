@@ -8,9 +8,9 @@ from answers import EXERCISES, raws, variant_of
 
 from kinegrade.exercises.draws import angles, until
 from kinegrade.exercises.exercise import ExerciseError, Numbers, references
-from kinegrade.grader.collect import Raw
 from kinegrade.grader.mark import mark
 from kinegrade.grader.read import read
+from kinegrade.grader.wire import Raw
 
 SEEDS = range(6)
 
@@ -85,7 +85,9 @@ def test_nonsense_in_one_part_of_a_right_sheet_earns_nothing_there(exercise, kin
 def test_the_answers_of_another_variant_earn_next_to_nothing(exercise):
     v, other = variant_of(exercise.slug, 1), variant_of(exercise.slug, 2)
     theirs = references(exercise, other)
-    recorded = {part.variable: theirs[part.variable].tolist() for part in exercise.parts if isinstance(part.answer, Numbers)}
+    recorded = {
+        part.variable: theirs[part.variable].tolist() for part in exercise.parts if isinstance(part.answer, Numbers)
+    }
     numbers = raws({name: np.array(value) for name, value in recorded.items()})
     verdicts = mark(exercise, v, numbers, {"other": recorded})
     wrong = [verdict for verdict in verdicts if verdict.part in recorded and verdict.status != "correct"]
@@ -166,7 +168,9 @@ def test_the_three_axis_example_of_s0_comes_out_as_printed():
     got = references(EXERCISES["three_axis"], v)
     r = np.sqrt(3)
     J = [[0, -r, 0], [3, 0, 0], [0, 3, 2], [0, 0, 0], [0, -1, -1], [1, 0, 0]]
-    np.testing.assert_allclose(got["three_axis_p"], np.array([[0, 0, 3], [0, 0, 3], [1, 0, 3 + r], [3, 0, 3 + r]]).T, atol=1e-12)
+    np.testing.assert_allclose(
+        got["three_axis_p"], np.array([[0, 0, 3], [0, 0, 3], [1, 0, 3 + r], [3, 0, 3 + r]]).T, atol=1e-12
+    )
     np.testing.assert_allclose(got["three_axis_z"], np.array([[0, 0, 1], [0, -1, 0], [0, -1, 0]]).T, atol=1e-12)
     np.testing.assert_allclose(got["three_axis_A"], J[:3], atol=1e-12)
     np.testing.assert_allclose(got["three_axis_B"], J[3:], atol=1e-12)
@@ -228,7 +232,9 @@ def test_a_wrong_table_of_the_rrt_arm_is_followed_through():
 def test_a_table_that_makes_the_rest_trivial_is_not_followed_through():
     exercise = EXERCISES["rrt"]
     v = variant_of("rrt", 0)
-    given = {"rrt_dh": read(exercise.parts[0].answer, raw_table([["q1", 0, 0, 0], ["q2", 0, 0, 0], [0, "q3", 0, 0]]), v)}
+    given = {
+        "rrt_dh": read(exercise.parts[0].answer, raw_table([["q1", 0, 0, 0], ["q2", 0, 0, 0], [0, "q3", 0, 0]]), v)
+    }
     for later in exercise.parts[1:]:
         given[later.variable] = later.solve(v, given)
     _, T, J = mark(exercise, v, raws(given))

@@ -77,8 +77,9 @@ def test_the_elbow_of_the_puma_is_straight_or_folded_where_tan_q3_is_minus_d4_ov
 def test_at_a_shoulder_singularity_the_wrist_centre_is_at_the_shoulder_offset_from_axis_1():
     arm = robot("puma560")
     values, q3 = arm.values(), 0.3
-    across, along = values["a2"] + values["a3"] * math.cos(q3) - values["d4"] * math.sin(q3), (
-        values["a3"] * math.sin(q3) + values["d4"] * math.cos(q3)
+    across, along = (
+        values["a2"] + values["a3"] * math.cos(q3) - values["d4"] * math.sin(q3),
+        (values["a3"] * math.sin(q3) + values["d4"] * math.cos(q3)),
     )
     T = forward(arm.chain(), [0.4, math.atan2(across, along), q3, 0, 0.5, 0])
     assert math.hypot(T[0, 3], T[1, 3]) == pytest.approx(values["d3"], abs=1e-12)

@@ -72,7 +72,7 @@ def test_a_block_that_is_no_finite_matrix_is_refused_with_a_sentence(block: Arra
         sigma_min(block)
 
 
-@pytest.mark.parametrize("robot", ROBOTS.values(), ids=str)
+@pytest.mark.parametrize("robot", ROBOTS.values(), ids=list(ROBOTS))
 def test_the_factors_multiply_to_the_determinant_up_to_a_constant(robot: Robot) -> None:
     q = _random(robot, 40)
     values = factor_values(robot, None, q)
@@ -81,7 +81,7 @@ def test_the_factors_multiply_to_the_determinant_up_to_a_constant(robot: Robot) 
     np.testing.assert_allclose(ratio, ratio[0], rtol=1e-8)
 
 
-@pytest.mark.parametrize("robot", ROBOTS.values(), ids=str)
+@pytest.mark.parametrize("robot", ROBOTS.values(), ids=list(ROBOTS))
 def test_the_arms_factors_multiply_to_the_determinant_of_its_block(robot: Robot) -> None:
     part = arm(robot)
     q = _random(robot, 40)
@@ -91,7 +91,7 @@ def test_the_arms_factors_multiply_to_the_determinant_of_its_block(robot: Robot)
     np.testing.assert_allclose(ratio, ratio[0], rtol=1e-8)
 
 
-@pytest.mark.parametrize(("robot", "name"), PAIRS, ids=str)
+@pytest.mark.parametrize(("robot", "name"), PAIRS, ids=[f"{robot.name}-{name}" for robot, name in PAIRS])
 def test_on_a_zero_set_the_task_block_has_lost_a_rank(robot: Robot, name: str) -> None:
     free = next(
         pair

@@ -71,7 +71,12 @@ def test_a_joint_variable_with_another_factor_is_refused(cell: str):
 @pytest.mark.parametrize(
     ("cells", "row", "column", "sentence"),
     [
-        ([["q1", 0, 0, 0], ["0", "0", "a1", "0"]], 2, "", "q2 takes a place in theta .* or d .*, got no joint variable"),
+        (
+            [["q1", 0, 0, 0], ["0", "0", "a1", "0"]],
+            2,
+            "",
+            "q2 takes a place in theta .* or d .*, got no joint variable",
+        ),
         ([["q1", "q1", 0, 0]], 1, "", "q1 takes a place in theta .* or d .*, got both"),
         ([["q2", 0, 0, 0]], 1, "theta", "this row takes q1 only, got q2"),
         ([["q1", 0, 0, "q1"]], 1, "alpha", r"q1 takes a place in theta \(revolute\) or d \(prismatic\)"),

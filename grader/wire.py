@@ -1,0 +1,90 @@
+"""What a student's process may say: checked, never trusted, turned into raw values."""
+
+import json
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Annotated, Any, Literal, Self
+
+import numpy as np
+from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
+
+Kind = Literal["num", "text", "missing", "error"]
+MAX_ELEMENTS = 4096
+Text = Annotated[str, Field(max_length=400)]
+
+
+@dataclass(frozen=True, eq=False)
+class Raw:
+    """A value as it came out, not yet read: an array, nested text, or why there is none."""
+
+    kind: Kind
+    value: Any = None
+
+
+class _Checked(BaseModel):
+    model_config = ConfigDict(strict=True, extra="forbid")
+
+
+class _Array(_Checked):
+    shape: Annotated[list[Annotated[int, Field(ge=0, le=MAX_ELEMENTS)]], Field(max_length=4)]
+    re: Annotated[list[float], Field(max_length=MAX_ELEMENTS)]
+    im: Annotated[list[float], Field(max_length=MAX_ELEMENTS)]
+
+    @model_validator(mode="after")
+    def _sizes_agree(self) -> Self:
+        size = math.prod(self.shape)
+        if len(self.re) != size or len(self.im) not in (0, size):
+            raise ValueError(f"{len(self.re)} numbers do not fill the shape {self.shape}")
+        return self
+
+
+class _Numeric(_Checked):
+    k: Literal["num"]
+    v: _Array
+
+
+class _Text(_Checked):
+    k: Literal["text"]
+    v: Text | list[Text | list[Text | list[Text]]]
+
+
+class _Nothing(_Checked):
+    k: Literal["missing", "error"]
+    v: Text
+
+
+class _Value(_Checked):
+    value: Annotated[_Numeric | _Text | _Nothing, Field(discriminator="k")]
+
+
+def read_frame(frame: bytes, names: Sequence[str], why: str) -> dict[str, Raw]:
+    """Raw values by name from the last frame of a process; `why` it was stopped, or empty.
+
+    One bad value blanks that variable; what is missing because the process did not finish is an error that says so.
+    """
+    try:
+        content: Any = json.loads(frame) if frame else {}
+    except (ValueError, RecursionError):
+        content = {}
+    fields: dict[str, Any] = content if isinstance(content, dict) else {}
+    values: Any = fields.get("values")
+    found = {name: _read_value(values.get(name) if isinstance(values, dict) else None) for name in names}
+    if fields.get("done") is True and not why:
+        return found
+    nothing = Raw("error", why or "the notebook ended its own process before it finished")
+    return {name: nothing if raw.kind == "missing" else raw for name, raw in found.items()}
+
+
+def _read_value(data: Any) -> Raw:
+    if data is None:
+        return Raw("missing", "")
+    try:
+        value = _Value.model_validate({"value": data}).value
+    except (ValidationError, RecursionError):
+        return Raw("error", "the value is not one that can be marked")
+    if not isinstance(value, _Numeric):
+        return Raw(value.k, value.v)
+    real = np.array(value.v.re, dtype=float)
+    array = real + 1j * np.array(value.v.im) if any(value.v.im) else real
+    return Raw("num", array.reshape(value.v.shape))

@@ -1,0 +1,192 @@
+"""Notebooks run in a process of their own; a broken cell costs its own answers and nothing else."""
+
+import json
+import os
+import time
+
+import nbformat
+import numpy as np
+import pytest
+
+from kinegrade.grader.collect import Ask, Limits, collect
+
+LIMITS = Limits(cell_seconds=20, notebook_seconds=60)  # nothing here is a race with the machine
+LOOPS = Limits(cell_seconds=1, notebook_seconds=60)
+
+
+def notebook(*sources):
+    cells = [nbformat.v4.new_code_cell(source) for source in sources]
+    return nbformat.writes(nbformat.v4.new_notebook(cells=cells)).encode()
+
+
+def run(*sources, names=("x",), limits=LIMITS):
+    return collect(notebook(*sources), [Ask(name) for name in names], limits)
+
+
+def value(raw):
+    assert raw.kind == "num", raw
+    return raw.value
+
+
+@pytest.mark.parametrize(
+    ("code", "expected"),
+    [
+        ("x = [[1, 2], [3, 4]]", [[1, 2], [3, 4]]),
+        ("import numpy as np\nx = np.eye(3, dtype='float32')", np.eye(3)),
+        ("import numpy as np\nx = [np.eye(2), np.zeros((2, 2))]", [np.eye(2), np.zeros((2, 2))]),
+        ("import numpy as np\nx = np.matrix('1 2; 3 4')", [[1, 2], [3, 4]]),
+        ("from sympy import Matrix, sqrt, pi, cos\nx = Matrix([[sqrt(3) / 2, cos(pi / 3)]])", [[np.sqrt(3) / 2, 0.5]]),
+        ("from fractions import Fraction\nx = [Fraction(1, 4), 2]", [0.25, 2]),
+        ("x = 7", 7),
+        ("x = (1.5, 2)", [1.5, 2]),
+        ("import numpy as np\nx = np.eye(4)[::2, ::-1]", np.eye(4)[::2, ::-1]),
+        ("x = [1, 2 + 3j]", [1, 2 + 3j]),
+        ("x = [float('nan'), 1]", [np.nan, 1]),
+        ("%matplotlib inline\nx = 1", 1),
+        ("get_ipython().run_line_magic('precision', '3')\nx = 1", 1),
+        ("%%time\nx = 3", 3),
+        ("print('a' * 10**7)\nx = 2", 2),
+        ("import warnings\nwarnings.warn('careful')\nx = 2", 2),
+    ],
+)
+def test_values_come_back_as_a_person_would_mean_them(code, expected):
+    np.testing.assert_array_equal(value(run(code)["x"]), expected)
+
+
+@pytest.mark.parametrize(
+    ("code", "kind", "words"),
+    [
+        ("x = 'cos(q1)'", "text", "cos(q1)"),
+        ("x = [['q1', 0, 'a1', 'pi/2']]", "text", "q1"),
+        ("from sympy import symbols, cos\nx = cos(symbols('q1'))", "text", "cos(q1)"),
+        ("x = {'a': 1}", "error", "a dict"),
+        ("x = lambda q: q", "error", "a function"),
+        ("x = None", "error", "None"),
+        ("x = [[1, 2], [3]]", "error", "not a matrix"),
+        ("x = [True, False]", "error", "not a matrix"),
+        ("import numpy as np\nx = np.zeros((100, 100))", "error", "too large"),
+        ("class A:\n    def __array__(self, *a, **k): raise KeyError\nx = A()", "error", "not a matrix"),
+        ("y = 1", "missing", ""),
+        ("x = ...", "missing", ""),
+    ],
+)
+def test_what_is_no_matrix_says_what_it_is(code, kind, words):
+    raw = run(code)["x"]
+    assert raw.kind == kind
+    assert words in str(raw.value)
+
+
+@pytest.mark.parametrize(
+    ("code", "words"),
+    [
+        ("x = [1, 2", "is not Python"),
+        ("x = 1 / 0", "ZeroDivisionError"),
+        ("while True:\n    x = None", "ran longer than 1 s"),
+        ("try:\n    while True: pass\nexcept Exception:\n    pass\nx = 1", "ran longer"),
+        ("x = undefined_name", "undefined_name"),
+        ("import sys\nx = sys.exit(3)", "SystemExit"),
+        ("x = 'a' * 10**11", "more memory"),
+        ("from kinegrade.solutions.jacobian import jacobian\nx = jacobian", "ModuleNotFoundError"),
+        ("x = !ls", "shell commands are not run"),
+        ("%run other.py\nx = 2", "is not run when a sheet is marked"),
+    ],
+)
+def test_a_failing_cell_costs_its_own_answer_and_says_why(code, words):
+    found = run("a = 1", code, "b = 2", names=("a", "x", "b"), limits=LOOPS)
+    assert value(found["a"]) == 1
+    assert value(found["b"]) == 2
+    assert found["x"].kind == "error"
+    assert words in found["x"].value
+    assert "ell 2" in found["x"].value
+
+
+@pytest.mark.parametrize(
+    "code",
+    [
+        "import os\nos._exit(0)",
+        "import os, signal\nos.kill(os.getpid(), signal.SIGKILL)",
+        "import signal\nsignal.signal(signal.SIGALRM, signal.SIG_IGN)\nwhile True: pass",
+        "import ctypes\nctypes.string_at(0)",
+    ],
+)
+def test_a_cell_that_ends_or_blocks_the_process_leaves_the_earlier_answers(code):
+    found = run("a = 1", f"b = 3\n{code}", names=("a", "b", "c"), limits=Limits(cell_seconds=1, notebook_seconds=4))
+    assert value(found["a"]) == 1
+    assert found["c"].kind == "error"
+    assert "stopped after 4 s" in found["c"].value or "ended its own process" in found["c"].value
+
+
+def test_a_value_that_loops_while_it_is_read_costs_only_itself():
+    code = "class A:\n    def __array__(self, *a, **k):\n        while True: pass\nx = A()"
+    found = run("a = 1", code, "b = 2", names=("a", "x", "b"), limits=LOOPS)
+    assert (found["x"].kind, value(found["a"]), value(found["b"])) == ("error", 1, 2)
+
+
+def test_children_of_a_notebook_do_not_outlive_it(tmp_path):
+    marker = tmp_path / "alive"
+    child = f"import time; time.sleep(1.5); open({str(marker)!r}, 'w')"
+    run(f"import subprocess, sys\nsubprocess.Popen([sys.executable, '-c', {child!r}])\nx = 1")
+    time.sleep(2)
+    assert not marker.exists()
+
+
+def test_the_process_has_a_clean_environment_and_an_empty_folder(monkeypatch):
+    monkeypatch.setenv("SECRET_OF_THE_GRADER", "42")
+    found = run(
+        "import os\nenv = sorted(os.environ)\nfiles = os.listdir()\nleak = [k for k in env if 'SECRET' in k]\n"
+        "x = [len(leak), len(files)]"
+    )
+    np.testing.assert_array_equal(value(found["x"]), [0, 0])
+
+
+def test_no_answer_stands_in_the_students_process():
+    code = "import sys\nx = [sum(name.startswith('kinegrade') and bool(sys.modules[name]) for name in sys.modules)]"
+    np.testing.assert_array_equal(value(run(code)["x"]), [0])
+
+
+@pytest.mark.parametrize(
+    "data",
+    [
+        b"",
+        b"not json",
+        b"\xff\xfe\x00",
+        b"[]",
+        b"{}",
+        b'{"cells": 3}',
+        b'{"cells": [{"cell_type": "code"',
+        b"[" * 100_000,
+        b'{"cells": [1, null, {"cell_type": "code", "source": 5}, {"cell_type": "raw"}]}',
+    ],
+)
+def test_what_is_no_notebook_is_an_error_with_a_sentence_or_simply_unanswered(data):
+    raw = collect(data, [Ask("x")], LIMITS)["x"]
+    assert raw.kind in ("error", "missing")
+    assert raw.kind == "missing" or "notebook" in raw.value
+
+
+def test_an_old_notebook_with_worksheets_is_read():
+    old = {"worksheets": [{"cells": [{"cell_type": "code", "input": ["x = ", "5"]}]}], "nbformat": 3}
+    assert value(collect(json.dumps(old).encode(), [Ask("x")], LIMITS)["x"]) == 5
+
+
+def test_a_notebook_that_is_too_large_is_refused_unread():
+    assert "MB" in collect(b" " * (21 << 20), [Ask("x")])["x"].value
+
+
+def test_a_notebook_that_writes_to_every_descriptor_spoils_only_itself():
+    code = "import os\nfor fd in range(3, 64):\n    try: os.write(fd, b'\\xff' * 64)\n    except OSError: pass\nx = 1"
+    assert run(code)["x"].kind in ("error", "missing")
+    assert value(run("x = 1")["x"]) == 1
+
+
+def test_monkeypatched_numpy_changes_nothing_that_is_decided_outside():
+    code = "import numpy as np\nnp.allclose = np.array_equal = lambda *a, **k: True\nx = np.zeros((6, 3))"
+    np.testing.assert_array_equal(value(run(code)["x"]), np.zeros((6, 3)))
+
+
+def test_no_file_descriptor_leaks():
+    run("x = 1")
+    before = len(os.listdir("/proc/self/fd"))
+    for _ in range(3):
+        run("x = 1")
+    assert len(os.listdir("/proc/self/fd")) <= before

@@ -1,0 +1,157 @@
+"""Verdicts: findings that name the mistake, follow-through, and failures of ours that are never a zero."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+from answers import EXERCISES, raws, variant_of
+
+from kinegrade.exercises.exercise import references
+from kinegrade.grader.mark import mark
+from kinegrade.grader.verdict import Verdict
+from kinegrade.grader.wire import Raw
+
+SEEDS = range(4)
+
+
+def verdicts_of(slug, changes, seed=0, others=None):
+    exercise, v = EXERCISES[slug], variant_of(slug, seed)
+    answers = references(exercise, v)
+    changed = {name: change(answers[name]) if callable(change) else change for name, change in changes.items()}
+    return {verdict.part: verdict for verdict in mark(exercise, v, raws(answers | changed), others)}
+
+
+def text_of(verdict):
+    return " ".join(finding.text for finding in verdict.findings)
+
+
+def swap_blocks(J):
+    return np.concatenate([J[3:], J[:3]])
+
+
+def flip(i, j):
+    def change(J):
+        J = J.copy()
+        J[i, j] = -J[i, j]
+        return J
+
+    return change
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+@pytest.mark.parametrize(
+    ("slug", "name", "change", "words"),
+    [
+        ("puma_velocities", "puma_velocities_J", np.transpose, "transposed"),
+        ("puma_velocities", "puma_velocities_J", swap_blocks, "angular rows seem to stand above"),
+        ("puma_velocities", "puma_velocities_J", np.negative, "Every sign is reversed"),
+        ("puma_velocities", "puma_velocities_J", flip(0, 1), "Only a sign is wrong: row 1, column 2"),
+        ("puma_velocities", "puma_velocities_J", lambda J: np.round(J, 2), "fewer decimals; 4 are asked"),
+        ("puma_velocities", "puma_velocities_J", lambda J: J[:, ::-1], "columns stand in reverse order"),
+        ("three_axis", "three_axis_J", swap_blocks, "angular rows seem to stand above"),
+        ("three_axis", "three_axis_p", lambda p: 1000 * p, "metres are asked, not millimetres"),
+        ("rrt", "rrt_J", swap_blocks, "angular rows seem to stand above"),
+        ("rrt", "rrt_T", lambda T: np.swapaxes(T, 1, 2), "transposed"),
+    ],
+)
+def test_a_known_mistake_is_named(slug, name, change, words, seed):
+    verdict = verdicts_of(slug, {name: change}, seed)[name]
+    assert verdict.status != "correct"
+    assert words in text_of(verdict)
+
+
+@pytest.mark.parametrize("slug", ["three_axis", "rrt", "puma_velocities"])
+def test_angles_taken_as_degrees_are_named(slug):
+    exercise, v = EXERCISES[slug], variant_of(slug)
+    units = np.array(exercise.units["q"])
+    q = np.where(units == "rad", np.radians(v["q"]), v["q"]).tolist()
+    verdicts = mark(exercise, v, raws(references(exercise, {**v, "q": q})))
+    assert any("taken as degrees" in text_of(verdict) for verdict in verdicts)
+
+
+def test_one_wrong_entry_of_a_jacobian_costs_its_share():
+    verdict = verdicts_of("puma_velocities", {"puma_velocities_J": flip(0, 1)})["puma_velocities_J"]
+    assert verdict.status == "partly"
+    assert 3.5 < verdict.points < 4
+    assert np.argwhere(~np.array(verdict.right)).tolist() == [[0, 1]]
+
+
+def test_rates_and_twist_are_judged_from_the_students_own_jacobian():
+    exercise, v = EXERCISES["puma_velocities"], variant_of("puma_velocities")
+    J = references(exercise, v)["puma_velocities_J"].copy()
+    J[:3, 1] *= -1.5
+    twist, rates = (
+        exercise.parts[1].solve(v, {"puma_velocities_J": J}),
+        exercise.parts[2].solve(v, {"puma_velocities_J": J}),
+    )
+    own = {"puma_velocities_J": J, "puma_velocities_twist": twist, "puma_velocities_qdot": rates}
+    verdicts = verdicts_of("puma_velocities", own)
+    assert [verdict.status for verdict in verdicts.values()] == ["partly", "correct", "correct"]
+    assert "follows from your own puma_velocities_J" in text_of(verdicts["puma_velocities_qdot"])
+
+
+@pytest.mark.parametrize("J", [np.eye(6), np.zeros((6, 6)), np.ones((6, 6)), np.diag([1, 1, 1, 0, 0, 0.0])])
+def test_rates_from_a_trivial_jacobian_earn_nothing(J):
+    exercise, v = EXERCISES["puma_velocities"], variant_of("puma_velocities")
+    target = [v["vx_c"], 0, 0, 0, 0, 0]
+    own = {
+        "puma_velocities_J": J,
+        "puma_velocities_twist": J @ v["qdot_b"],
+        "puma_velocities_qdot": np.linalg.pinv(J) @ target,
+    }
+    verdicts = mark(exercise, v, raws(own))
+    assert sum(verdict.points for verdict in verdicts) == 0
+
+
+def test_data_of_another_student_are_not_followed_through():
+    exercise = EXERCISES["three_axis"]
+    theirs = references(exercise, variant_of("three_axis", 5))
+    plain = verdicts_of("three_axis", theirs)
+    seen = verdicts_of("three_axis", theirs, others={"neighbour": {k: x.tolist() for k, x in theirs.items()}})
+    assert plain["three_axis_A"].points == 3
+    assert seen["three_axis_A"].points < 0.5  # what agrees by chance
+    private = [finding.text for finding in seen["three_axis_p"].findings if finding.private]
+    assert private == ["This is the reference answer of neighbour's variant."]
+
+
+def test_an_unreadable_answer_does_not_cost_the_later_parts():
+    verdicts = verdicts_of("three_axis", {"three_axis_p": Raw("error", "cell 3 stopped with NameError: q")})
+    assert verdicts["three_axis_p"].status == "failed"
+    assert text_of(verdicts["three_axis_p"]) == "Cell 3 stopped with NameError: q."
+    assert verdicts["three_axis_A"].status == verdicts["three_axis_J"].status == "correct"
+
+
+def test_a_missing_answer_is_missing_and_worth_nothing():
+    verdict = verdicts_of("three_axis", {"three_axis_p": Raw("missing")})["three_axis_p"]
+    assert (verdict.status, verdict.points) == ("missing", 0)
+
+
+def test_a_failure_of_ours_leaves_the_part_not_graded_and_the_others_marked():
+    exercise, v = EXERCISES["puma_velocities"], variant_of("puma_velocities")
+
+    def broken(*_):
+        raise RuntimeError("a fault in the exercise file")
+
+    parts = (*exercise.parts[:2], dataclasses.replace(exercise.parts[2], check=broken))
+    verdicts = mark(dataclasses.replace(exercise, parts=parts), v, raws(references(exercise, v)))
+    assert [verdict.status for verdict in verdicts] == ["correct", "correct", "not_graded"]
+    assert verdicts[-1].points is None
+
+
+def test_a_verdict_survives_json(exercise):
+    import json
+
+    v = variant_of(exercise.slug)
+    for verdict in mark(exercise, v, raws(references(exercise, v))):
+        assert Verdict.from_json(json.loads(json.dumps(verdict.to_json()))) == verdict
+
+
+def test_no_verdict_holds_a_reference_value_that_was_not_handed_in(exercise):
+    v = variant_of(exercise.slug)
+    answers = references(exercise, v)
+    spoiled = {name: np.full_like(value, 0.123) for name, value in answers.items() if isinstance(value, np.ndarray)}
+    said = str([verdict.to_json() for verdict in mark(exercise, v, raws(spoiled))])
+    for name in spoiled:
+        for x in np.unique(np.abs(answers[name])):
+            if 0.01 < x < 100 and abs(x - round(x, 2)) > 1e-6:
+                assert f"{x:.4f}" not in said

@@ -1,0 +1,96 @@
+"""Answers are read by kind: shape first, then finite, and every refusal says what would be right."""
+
+import numpy as np
+import pytest
+from answers import raw, variant_of
+
+from kinegrade.exercises.exercise import Numbers, TableOf
+from kinegrade.grader.read import Unreadable, read
+from kinegrade.grader.wire import Raw
+
+V = {"d1": 0.5, "a1": 0.3, "q": [0.4, 0.6, 0.7]}
+TABLE = TableOf(("d1", "a1", "d2"), "RRP")
+RIGHT = [["q1", "d1", "a1", "-pi/2"], ["q2", 0, 0, "pi/2"], [0, "q3", 0, 0]]
+
+
+@pytest.mark.parametrize(
+    ("asked", "given", "words"),
+    [
+        ((6, 3), np.ones((1, 1)), "takes shape (6, 3), got (1, 1)"),
+        ((6, 3), np.ones((3, 6)), "rows and columns look exchanged"),
+        ((6, 3), np.ones((3, 3)), "three each"),
+        ((6, 3), 1.0, "takes shape (6, 3), got ()"),
+        ((6,), np.ones(5), "takes shape (6,), got (5,)"),
+        ((2, 2), [[1, np.nan], [1, 1]], "row 1, column 2"),
+        ((2, 2), [[1, 1], [np.inf, 1]], "row 2, column 1"),
+        ((1, 2, 2), [[[1, 1], [1, np.nan]]], "entry 1, 2, 2"),
+    ],
+)
+def test_numbers_of_the_wrong_shape_or_not_finite_are_refused(asked, given, words):
+    with pytest.raises(Unreadable) as caught:
+        read(Numbers(asked), raw(np.array(given)), V)
+    assert words in str(caught.value)
+
+
+@pytest.mark.parametrize("shape", [(6,), (6, 1), (1, 6)])
+def test_a_vector_may_stand_as_row_or_column(shape):
+    assert read(Numbers((6,)), raw(np.arange(6.0).reshape(shape)), V).tolist() == list(range(6))
+
+
+def test_complex_numbers_are_refused():
+    with pytest.raises(Unreadable, match="real numbers"):
+        read(Numbers((2,)), Raw("num", np.array([1, 2 + 1j])), V)
+
+
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        (Raw("missing"), "not answered"),
+        (Raw("error", "cell 4 stopped with NameError: q"), "cell 4 stopped"),
+        (Raw("text", "x"), "got text: x"),
+        (Raw("text", [["a" * 500]]), "..."),
+    ],
+)
+def test_other_values_are_refused_with_what_they_are(given, words):
+    with pytest.raises(Unreadable) as caught:
+        read(Numbers((2, 2)), given, V)
+    assert words in str(caught.value)
+    assert len(str(caught.value)) < 160
+
+
+def test_a_table_is_read_from_text_and_from_numbers():
+    typed = read(TABLE, raw([[str(cell) for cell in row] for row in RIGHT]), V)
+    numbers = read(TABLE, raw(np.array([[0.4, 0.5, 0.3, -np.pi / 2], [0.6, 0, 0, np.pi / 2], [0, 0.7, 0, 0]])), V)
+    mixed = read(TABLE, raw([["0.4", "d1", "0.3", "-pi/2"], ["q2", "0", "0", "1.5707963"], ["0", "0.7", "0", "0"]]), V)
+    lengths = {"d1": 0.5, "a1": 0.3}
+    for table in (typed, numbers, mixed):
+        assert table.kinds == "RRP"
+        np.testing.assert_allclose(table.frames(lengths, V["q"]), typed.frames(lengths, V["q"]), atol=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("cells", "words"),
+    [
+        (RIGHT[:2], "takes 3 rows"),
+        ([row[:3] for row in RIGHT], "rows of [3, 3, 3] cells"),
+        ("q1", "takes a list of 3 rows"),
+        ([["q1", "d1", "a1", "-pi/2"], ["pi/2", "0", "0", "pi/2"], ["0", "q3", "0", "0"]], "row 2: q2 takes a place"),
+        ([["q1", "d7", "a1", "0"], ["q2", "0", "0", "0"], ["0", "q3", "0", "0"]], "d7"),
+        ([["q1", "d2", "a1", "0"], ["q2", "0", "0", "0"], ["0", "q3", "0", "0"]], "d2"),
+        ([["2*q1", "d1", "a1", "0"], ["q2", "0", "0", "0"], ["0", "q3", "0", "0"]], "factor 1"),
+        ([["q1 +", "d1", "a1", "0"], ["q2", "0", "0", "0"], ["0", "q3", "0", "0"]], "row 1, theta"),
+        ([["__import__('os')", "d1", "a1", "0"], ["q2", "0", "0", "0"], ["0", "q3", "0", "0"]], "row 1, theta"),
+        ([["q1", "9**9**9", "a1", "0"], ["q2", "0", "0", "0"], ["0", "q3", "0", "0"]], "row 1, d"),
+    ],
+)
+def test_a_broken_table_names_the_place(cells, words):
+    if isinstance(cells, list):
+        cells = [[str(cell) for cell in row] for row in cells]
+    with pytest.raises(Unreadable) as caught:
+        read(TABLE, raw(cells), V)
+    assert words in str(caught.value)
+
+
+def test_numbers_that_are_no_table_are_refused():
+    with pytest.raises(Unreadable, match="table of shape"):
+        read(TABLE, raw(np.zeros((2, 4))), variant_of("rrt"))

@@ -1,0 +1,69 @@
+"""Tolerances follow from rounding what a part needs, within a floor and a cap."""
+
+import numpy as np
+import pytest
+from answers import variant_of
+
+from kinegrade.exercises.exercise import Numbers, Part, TableOf, references
+from kinegrade.grader.tolerance import CAP, FLOOR, block_scale, tolerance
+
+
+def part(answer, solve, **more):
+    return Part("t_x", "What is x?", 1, answer, solve, **more)
+
+
+def test_a_part_that_needs_nothing_allows_half_a_unit_of_the_last_decimal():
+    asked = part(Numbers((2,), "m", decimals=3), lambda *_: np.array([1.0, 0.2]))
+    np.testing.assert_allclose(tolerance("t", asked, {}, {}, 1.0), 0.5e-3, rtol=2e-3)
+
+
+def test_an_ill_conditioned_part_allows_what_rounding_its_needs_moves():
+    J = np.array([[1.0, 0.9], [0.9, 1.0]])
+    asked = part(Numbers((2,), "rad/s", decimals=3), lambda _, given: np.linalg.solve(given["t_J"], [1.0, 1.0]))
+    plain = part(Numbers((2,), "rad/s", decimals=3), lambda *_: np.linalg.solve(J, [1.0, 1.0]))
+    assert (tolerance("t", asked, {}, {"t_J": J}, 1.0) > 1.3 * tolerance("t", plain, {}, {}, 1.0)).all()
+
+
+def test_the_cap_keeps_zero_from_passing():
+    J = np.diag([1e-5, 1.0])
+    asked = part(Numbers((2,), "rad/s", decimals=1), lambda _, given: np.linalg.solve(given["t_J"], [1.0, 1.0]))
+    allowed = tolerance("t", asked, {}, {"t_J": J}, 1.0)
+    assert allowed[0] == pytest.approx(CAP * 1e5)
+    assert allowed[1] < CAP * 1e5
+
+
+def test_the_floor_is_a_billionth_of_the_block():
+    asked = part(Numbers((1,), "m", decimals=12), lambda *_: np.array([1.0]))
+    np.testing.assert_allclose(tolerance("t", asked, {}, {}, 50.0), 50 * FLOOR)
+
+
+def test_an_explicit_tolerance_wins():
+    asked = part(Numbers((2, 2)), lambda *_: np.eye(2), tolerance=0.125)
+    np.testing.assert_array_equal(tolerance("t", asked, {}, {}, 1.0), np.full((2, 2), 0.125))
+
+
+def test_a_prismatic_column_is_measured_against_one_not_against_a_length():
+    answer = Numbers((6, 2), [["m/rad", "1"]] * 3 + [["1", "1"]] * 3)
+    scale = block_scale(answer, np.ones((6, 2)), 0.3)
+    np.testing.assert_array_equal(scale, [[0.3, 1]] * 3 + [[1, 1]] * 3)
+
+
+def test_rates_are_measured_against_the_largest_rate():
+    np.testing.assert_array_equal(block_scale(Numbers((2,), "rad/s"), np.array([0.1, -7]), 1.0), [7, 7])
+
+
+def test_a_tolerance_is_for_numbers_only():
+    with pytest.raises(TypeError, match="for numbers"):
+        tolerance("t", part(TableOf((), "R"), lambda *_: None), {}, {}, 1.0)
+
+
+def test_every_tolerance_of_every_exercise_is_positive_and_small(exercise):
+    v = variant_of(exercise.slug)
+    answers = references(exercise, v)
+    for asked in exercise.asked:
+        if isinstance(asked.answer, Numbers):
+            given = {name: answers[name] for name in asked.needs}
+            allowed = tolerance(exercise.slug, asked, v, given, exercise.scale(v))
+            block = block_scale(asked.answer, answers[asked.variable], exercise.scale(v))
+            assert (allowed > 0).all()
+            assert (allowed <= CAP * block).all()

@@ -1,0 +1,63 @@
+"""Bytes from a student's process are checked before they are a value."""
+
+import json
+
+import numpy as np
+import pytest
+
+from kinegrade.grader.wire import read_frame
+
+
+def frame(value, *, done=True):
+    return json.dumps({"done": done, "values": {"x": value}}).encode()
+
+
+def numbers(shape, real, imaginary=()):
+    return {"k": "num", "v": {"shape": shape, "re": list(real), "im": list(imaginary)}}
+
+
+def test_a_sound_frame_gives_its_values():
+    raw = read_frame(frame(numbers([2, 1], [1.0, 2.0])), ["x", "y"], "")
+    np.testing.assert_array_equal(raw["x"].value, [[1], [2]])
+    assert raw["y"].kind == "missing"
+
+
+def test_complex_numbers_are_real_only_where_no_imaginary_part_is_left():
+    assert read_frame(frame(numbers([1], [1.0], [0.0])), ["x"], "")["x"].value.dtype == float
+    assert read_frame(frame(numbers([1], [1.0], [2.0])), ["x"], "")["x"].value.dtype == complex
+
+
+@pytest.mark.parametrize(
+    "value",
+    [
+        3,
+        [],
+        numbers([2], [1.0]),
+        numbers([-1], []),
+        numbers([1], ["1"]),
+        numbers([1], [True]),
+        numbers([99999, 99999], []),
+        numbers([], []),
+        numbers([1, 1, 1, 1, 1], [1.0]),
+        numbers([1], [1.0], [1.0, 2.0]),
+        {"k": "num", "v": {"shape": [1], "re": [1.0], "im": [], "right": True}},
+        {"k": "verdict", "v": "correct"},
+        {"k": "text", "v": {"a": 1}},
+        {"k": "text", "v": "x" * 500},
+        {"k": "text", "v": [[[["deep"]]]]},
+        {"k": "error", "v": 5},
+    ],
+)
+def test_a_forged_value_blanks_that_variable(value):
+    assert read_frame(frame(value), ["x"], "")["x"].kind == "error"
+
+
+@pytest.mark.parametrize("data", [b"", b"null", b"[1]", b"[" * 100_000, b"\xff", b'{"done": true}', b'{"values": 3}'])
+def test_a_frame_that_is_none_gives_no_value(data):
+    assert read_frame(data, ["x"], "")["x"].kind in ("error", "missing")
+
+
+def test_what_is_missing_from_an_unfinished_notebook_says_why():
+    assert "ended its own process" in read_frame(frame(None, done=False), ["x"], "")["x"].value
+    assert read_frame(frame(None), ["x"], "stopped after 3 s")["x"].value == "stopped after 3 s"
+    assert read_frame(frame(numbers([], [1.0]), done=False), ["x"], "")["x"].kind == "num"
