@@ -3,6 +3,7 @@
 Exit 0: done. 1: `check` found something wrong, or another command could not do its work. 2: wrong usage.
 """
 
+import io
 import logging
 import os
 import sys
@@ -15,7 +16,7 @@ import typer
 from ..solutions.errors import KinegradeError
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Sequence
+    from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
 
     from .config import Course, Sheet
     from .gradebook import Gradebook
@@ -29,11 +30,15 @@ app = typer.Typer(
     context_settings={"help_option_names": ["-h", "--help"]},
 )
 CourseOption = Annotated[Path, typer.Option("--course", "-c", help="The course folder.")]
+STOPPED = 130  # what typer makes of Ctrl-C
 SheetArguments = Annotated[list[str] | None, typer.Argument(help="Names of sheets; all when none is given.")]
 
 
 def main() -> None:
     """Runs the command line; a complaint is one sentence, never a traceback."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="replace")  # a console without ✓ shows a question mark
     logging.basicConfig(level=logging.WARNING, format="%(levelname)s: %(message)s")
     try:
         app()
@@ -49,9 +54,10 @@ def main() -> None:
         said = f"{type(error).__name__}: {error}"
         sys.stderr.write(f"kinegrade: this is our fault, not yours: {said} (KINEGRADE_DEBUG=1 shows where)\n")
         sys.exit(1)
-    except KeyboardInterrupt:
-        sys.stderr.write("\nkinegrade: stopped; what was done is kept, and the same command goes on from there\n")
-        sys.exit(130)
+    except SystemExit as stop:
+        if stop.code == STOPPED:
+            sys.stderr.write("\nkinegrade: stopped; what was done is kept, and the same command goes on from there\n")
+        raise
 
 
 @app.command()
@@ -119,13 +125,14 @@ def check(
 ) -> None:
     """Look at one's own answers, as far as the sheet's mode allows; needs no course folder."""
     from .check import check_file
+    from .escape import printable
 
     handout, found = check_file(file, sheet)
     for remark in found:
-        print(f"{'✓' if remark.ok else '✗'} {remark.part:28} {remark.text}")
+        print(f"{'✓' if remark.ok else '✗'} {remark.part:28} {printable(remark.text)}")
     told = {
         "practice": "Practice sheet: everything is told but the reference values.",
-        "graded": "Graded sheet: this tells whether answers can be read and fit each other, not whether they are right.",
+        "graded": "Graded sheet: this tells whether answers can be read and fit each other, not if they are right.",
         "exam": "Exam sheet: this tells whether answers can be read, nothing more.",
     }
     _say(told[handout.mode])
@@ -162,17 +169,37 @@ def mark_sheets(
 ) -> "list[tuple[Sheet, list[Result]]]":
     """Marks sheets with a progress bar and writes all that follows from the marks."""
     from .grading import SheetMarker
+    from .submissions import strangers
 
+    for name in strangers(course.folder, {student.id for student in course.students}):
+        _say(f"{course.folder / 'submitted' / name} belongs to nobody of roster.csv and is not marked.")
     marked: list[tuple[Sheet, list[Result]]] = []
     with progress("Marking", len(course.students) * len(sheets)) as step:
         for sheet in sheets:
             marker = SheetMarker(course, gradebook, sheet, accept_change=accept_change)
             marked.append((sheet, marker.results(step)))
-    write_results(course, marked)
+    write_results(course, _with_recorded(course, gradebook, marked))
     return marked
 
 
-def write_results(course: "Course", marked: "Sequence[tuple[Sheet, Sequence[Result]]]") -> Path:
+def _with_recorded(
+    course: "Course", gradebook: "Gradebook", marked: "list[tuple[Sheet, list[Result]]]"
+) -> "Iterator[tuple[Sheet, list[Result]]]":
+    """Marked sheets, and what the gradebook has of the others: a report is about all of the course."""
+    from .grading import recorded_results
+    from .sheets import exercises_of
+
+    fresh = {sheet.name: results for sheet, results in marked}
+    for sheet in course.settings.sheet:
+        try:
+            exercises_of(course, sheet)
+        except KinegradeError as error:
+            _say(f"Sheet {sheet.name} is left out of the report: {error}")
+            continue
+        yield sheet, fresh.get(sheet.name) or recorded_results(course, gradebook, sheet)
+
+
+def write_results(course: "Course", marked: "Iterable[tuple[Sheet, Sequence[Result]]]") -> Path:
     """grades.csv, one feedback page per student and sheet, and the report; the report's path."""
     from .files import write_atomically
     from .pages import write_feedback, write_report
@@ -195,20 +222,21 @@ def write_results(course: "Course", marked: "Sequence[tuple[Sheet, Sequence[Resu
 def show(course: "Course", marked: "Sequence[tuple[Sheet, Sequence[Result]]]") -> None:
     """The table of every sheet on stdout, and where to look on stderr."""
     from rich.console import Console
+    from rich.text import Text
 
     from .sheets import exercises_of
     from .tables import legend, terminal_table
 
     console = Console() if sys.stdout.isatty() else Console(width=140)  # a file has no width of its own
     for sheet, results in marked:
-        console.print(f"[bold]{sheet.title or sheet.name}[/bold]", highlight=False)
+        console.print(Text(sheet.title or sheet.name, style="bold"))
         console.print(terminal_table(results, exercises_of(course, sheet)))
     _say(legend())
     _say(f"Report: {course.folder / 'report' / 'index.html'}")
 
 
 @contextmanager
-def _opened(folder: Path) -> "Iterator[tuple[Course, Gradebook]]":
+def _opened(folder: Path) -> "Generator[tuple[Course, Gradebook]]":
     from .config import read_course
     from .gradebook import Gradebook
 
@@ -218,7 +246,7 @@ def _opened(folder: Path) -> "Iterator[tuple[Course, Gradebook]]":
 
 
 @contextmanager
-def progress(title: str, total: int) -> "Iterator[Callable[[], None]]":
+def progress(title: str, total: int) -> "Generator[Callable[[], None]]":
     """A bar on stderr; the yielded function advances it by one."""
     from rich.console import Console
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn

@@ -1,10 +1,11 @@
 """course.toml and roster.csv: read once, checked, with errors that point at the line or the key."""
 
 import csv
+import io
 import re
 import secrets
 import tomllib
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from difflib import get_close_matches
 from importlib.resources import files
@@ -14,10 +15,12 @@ from typing import Annotated, Any, Literal
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from ..solutions.errors import KinegradeError
+from .files import write_atomically
 
 Mode = Literal["practice", "graded", "exam"]
-SAFE_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,63}")
-Name = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]{0,63}$")]
+SAFE_NAME = re.compile(r"[A-Za-z0-9]([A-Za-z0-9._-]{0,62}[A-Za-z0-9_-])?")
+DEVICE = re.compile(r"(con|prn|aux|nul|com[0-9]|lpt[0-9])(\..*)?", re.IGNORECASE)  # no file name on Windows
+Name = Annotated[str, Field(pattern=rf"^{SAFE_NAME.pattern}$")]
 
 
 class CourseError(KinegradeError):
@@ -103,11 +106,14 @@ def read_settings(path: Path) -> Settings:
     except tomllib.TOMLDecodeError as error:
         raise CourseError(f"{path}: not TOML: {error}") from error
     except ValidationError as error:
-        raise CourseError(f"{path}: {_sentence(error.errors()[0])}") from error
-    names = [sheet.name for sheet in settings.sheet]
-    for name in names:
-        if names.count(name) > 1:
-            raise CourseError(f"{path}: two sheets are called {name!r}; a sheet takes a name of its own")
+        first = min(error.errors(), key=lambda found: found["type"] != "extra_forbidden")  # a typo explains the rest
+        raise CourseError(f"{path}: {_sentence(first)}") from error
+    names = [sheet.name.casefold() for sheet in settings.sheet]
+    for sheet in settings.sheet:
+        if names.count(sheet.name.casefold()) > 1:
+            raise CourseError(f"{path}: two sheets are called {sheet.name!r}; a sheet takes a name of its own")
+        if DEVICE.fullmatch(sheet.name):
+            raise CourseError(f"{path}: a sheet cannot be called {sheet.name!r}: no file can, on Windows")
     return settings
 
 
@@ -130,14 +136,21 @@ def _valid_keys(where: tuple[Any, ...]) -> list[str]:
     return list(table.model_fields)
 
 
-def _nearest(name: str, known: Any) -> str:
-    near = get_close_matches(name, known, 1)
+def _nearest(name: str, known: Iterable[str]) -> str:
+    near = get_close_matches(name, [*known], 1)
     return f" (did you mean {near[0]!r}?)" if near else ""
 
 
 def read_roster(path: Path) -> Iterator[Student]:
     """Students in the order of roster.csv, which takes the columns student and name."""
-    rows = csv.DictReader(_text(path, "a course folder takes a roster.csv with the columns student,name").splitlines())
+    text = _text(path, "a course folder takes a roster.csv with the columns student,name")
+    try:
+        yield from _students(path, csv.DictReader(io.StringIO(text, newline="")))
+    except csv.Error as error:
+        raise CourseError(f"{path}: not a CSV file: {error}") from error
+
+
+def _students(path: Path, rows: "csv.DictReader[str]") -> Iterator[Student]:
     columns = [column.strip() for column in rows.fieldnames or ()]
     for column in ("student", "name"):
         if column not in columns:
@@ -147,15 +160,20 @@ def read_roster(path: Path) -> Iterator[Student]:
     seen: dict[str, int] = {}
     for row in rows:
         line = rows.line_num
-        cells = {
-            (key or "").strip(): (value or "").strip() for key, value in row.items() if not isinstance(value, list)
-        }
+        surplus: Any = row.pop(None, [])  # pyright: ignore[reportArgumentType, reportCallIssue]
+        if any(surplus):
+            raise CourseError(
+                f"{path}, line {line}: {len(columns) + len(surplus)} cells for {len(columns)} columns; "
+                'a name with a comma takes quotes: "Lovelace, Ada"'
+            )
+        cells = {key.strip(): " ".join((value or "").split()) for key, value in row.items()}
         if not any(cells.values()):
             continue
         student = cells["student"]
-        if not SAFE_NAME.fullmatch(student):
+        if not SAFE_NAME.fullmatch(student) or DEVICE.fullmatch(student):
             raise CourseError(
-                f"{path}, line {line}: a student takes an id of letters, digits, '.', '_' and '-' (it names a folder), got {student!r}"
+                f"{path}, line {line}: a student takes an id of letters, digits, '.', '_' and '-' "
+                f"(it names a folder, so CON and the like are out), got {student!r}"
             )
         if student.casefold() in seen:
             raise CourseError(f"{path}, line {line}: student {student!r} is already in line {seen[student.casefold()]}")
@@ -181,10 +199,7 @@ def write_course(folder: Path, title: str = "The robot Jacobian") -> None:
     if (folder / "course.toml").exists():
         raise CourseError(f"{folder / 'course.toml'} is already there; init never overwrites a course")
     template = files("kinegrade.course").joinpath("templates/course.toml").read_text(encoding="utf-8")
-    folder.mkdir(parents=True, exist_ok=True)
     text = template.replace("@TITLE@", title).replace("@SECRET@", secrets.token_hex(32))
-    (folder / "course.toml").write_text(text, encoding="utf-8")
     if not (folder / "roster.csv").exists():
-        (folder / "roster.csv").write_text(
-            "student,name\nstudent01,First Student\nstudent02,Second Student\n", encoding="utf-8"
-        )
+        write_atomically(folder / "roster.csv", "student,name\nstudent01,First Student\nstudent02,Second Student\n")
+    write_atomically(folder / "course.toml", text)  # last: with it, the folder is a course

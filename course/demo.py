@@ -44,8 +44,8 @@ def _swapped(J: Any) -> Any:
 
 def _degrees(exercise: Exercise, v: dict[str, Any], _: dict[str, Any]) -> dict[str, Any]:
     """Every angle of q is taken for degrees."""
-    units = np.array(exercise.units["q"])
-    q = np.where(units == "rad", np.radians(v["q"]), v["q"]).tolist()
+    units = exercise.units["q"]
+    q = [float(np.radians(x)) if unit == "rad" else x for x, unit in zip(v["q"], units, strict=True)]
     return references(exercise, v | {"q": q})
 
 
@@ -78,11 +78,10 @@ def _shapes(exercise: Exercise, _: dict[str, Any], answers: dict[str, Any]) -> d
 
 def _not_a_number(_: Exercise, __: dict[str, Any], answers: dict[str, Any]) -> dict[str, Any]:
     spoiled = dict(answers)
-    for name in answers:
+    for name, answer in answers.items():
         if name.endswith(("_J", "_A")):
-            spoiled[name] = np.where(
-                np.arange(answers[name].size).reshape(answers[name].shape) == 4, np.nan, answers[name]
-            )
+            spoiled[name] = answer.copy()
+            spoiled[name].flat[4] = np.nan
     return spoiled
 
 
@@ -95,7 +94,7 @@ def _code_in(suffix: str, code: str) -> Spoil:
 
 HABITS = (
     Habit("right", _each(lambda answer: answer)),
-    Habit("rounded to 3 decimals", _each(lambda answer: np.round(answer, 3))),
+    Habit("rounded to 3 decimals", _each(lambda answer: answer.round(3))),
     Habit("one sign wrong", _one_sign),
     Habit("rows swapped", _each(_swapped)),
     Habit("degrees for radians", _degrees),

@@ -4,7 +4,7 @@ MARKUP = "*_`<>[]\\$&#|~"
 
 
 def printable(text: str) -> str:
-    """One line without control characters, which a terminal would obey, or halves of characters, which it cannot show."""
+    """One line without control characters, which a terminal would obey, or halves of characters."""
     return "".join(char if char.isprintable() else "\N{REPLACEMENT CHARACTER}" for char in text)
 
 

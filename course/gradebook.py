@@ -1,13 +1,25 @@
 """The gradebook: records and marks in one SQLite file, every change one transaction."""
 
 import json
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Generator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, Self
 
-from sqlalchemy import Column, ColumnElement, Connection, Integer, MetaData, String, Table, Text, create_engine, select
+from sqlalchemy import (
+    URL,
+    Column,
+    ColumnElement,
+    Connection,
+    Integer,
+    MetaData,
+    String,
+    Table,
+    Text,
+    create_engine,
+    select,
+)
 from sqlalchemy.exc import DatabaseError
 
 from ..grader.verdict import Verdict
@@ -65,38 +77,49 @@ class Gradebook:
         Raises:
             CourseError: the file is not a gradebook, or one of a later version.
         """
-        self._engine = create_engine(f"sqlite:///{path}")
+        self._path = path
+        self._engine = create_engine(URL.create("sqlite", database=str(path)))
         try:
-            _metadata.create_all(self._engine)
-            with self.transaction() as connection:
-                found = connection.scalar(select(_meta.c.value).where(_meta.c.key == "format"))
-                if found is None:
-                    connection.execute(_meta.insert().values(key="format", value=FORMAT))
-                elif found != FORMAT:
-                    raise CourseError(f"{path}: the gradebook has format {found}; this version reads {FORMAT}")
-        except DatabaseError as error:
+            self._prepare()
+        except CourseError:
             self.close()
-            raise CourseError(f"{path}: not a readable gradebook: {error.orig}") from error
+            raise
+
+    def _prepare(self) -> None:
+        with self.transaction() as connection:
+            _metadata.create_all(connection)
+            found = connection.scalar(select(_meta.c.value).where(_meta.c.key == "format"))
+            if found is None:
+                connection.execute(_meta.insert().values(key="format", value=FORMAT))
+            elif found != FORMAT:
+                raise CourseError(f"{self._path}: the gradebook has format {found}; this version reads {FORMAT}")
 
     def close(self) -> None:
         """Lets go of the file."""
         self._engine.dispose()
 
-    def __enter__(self) -> "Gradebook":
+    def __enter__(self) -> Self:
         return self
 
     def __exit__(self, *_: object) -> None:
         self.close()
 
     @contextmanager
-    def transaction(self) -> Iterator[Connection]:
-        """All of what is done inside, or nothing."""
-        with self._engine.begin() as connection:
-            yield connection
+    def transaction(self) -> Generator[Connection]:
+        """All of what is done inside, or nothing.
+
+        Raises:
+            CourseError: the file cannot be read or written.
+        """
+        try:
+            with self._engine.begin() as connection:
+                yield connection
+        except DatabaseError as error:
+            raise CourseError(f"{self._path}: not a gradebook that can be used: {error.orig}") from error
 
     def records(self, sheet: str) -> list[Record]:
         """Everything drawn for a sheet."""
-        with self._engine.connect() as connection:
+        with self.transaction() as connection:
             rows = connection.execute(select(_records).where(_records.c.sheet == sheet)).mappings().all()
         return [_record(dict(row)) for row in rows]
 
@@ -114,7 +137,7 @@ class Gradebook:
 
     def verdicts(self, key: GradeKey) -> list[Verdict] | None:
         """What this submission got by these rules, or None when it was never marked by them."""
-        with self._engine.connect() as connection:
+        with self.transaction() as connection:
             text = connection.scalar(select(_grades.c.verdicts).where(*_same(_grades, vars(key))))
         return None if text is None else _verdicts(text)
 
@@ -131,7 +154,7 @@ class Gradebook:
         """Student to verdicts: what counts now."""
         same = [_current.c[name] == _grades.c[name] for name in ("student", "sheet", "submission", "rules")]
         query = select(_grades.c.student, _grades.c.verdicts).where(*same, _current.c.sheet == sheet)
-        with self._engine.connect() as connection:
+        with self.transaction() as connection:
             return {student: _verdicts(text) for student, text in connection.execute(query)}
 
 

@@ -16,9 +16,9 @@ from ..grader.mark import mark
 from ..grader.verdict import Verdict, not_graded
 from ..grader.wire import Raw
 from .config import Course, CourseError, Sheet, Student
-from .gradebook import GradeKey, Gradebook
+from .gradebook import Gradebook, GradeKey
 from .sheets import exercises_of
-from .submissions import Submission, find_submission
+from .submissions import Submission, find_submission, misnamed
 from .variant import Record, canonical, digest, fingerprint, moved_parts
 
 log = logging.getLogger(__name__)
@@ -81,13 +81,23 @@ class SheetMarker:
             exercise = known.get(record.exercise)
             if exercise is None:
                 continue
-            moved = moved_parts(record, exercise)
+            moved = _changed(record, exercise)
             if moved and accept_change:
-                answers = fingerprint(exercise, record.numbers)
-                self.gradebook.accept_answers(record, answers)
-                record, moved = replace(record, answers=answers), []  # noqa: PLW2901 - the record as it now stands
+                record, moved = self._accepted(record, exercise), []  # noqa: PLW2901 - the record as it now stands
             self._records.setdefault(record.student, {})[record.exercise] = record
             self._moved[record.student] = self._moved.get(record.student, frozenset()) | frozenset(moved)
+
+    def _accepted(self, record: Record, exercise: Exercise) -> Record:
+        """The record with the answers of today, here and in the gradebook."""
+        try:
+            answers = fingerprint(exercise, record.numbers)
+        except Exception as error:
+            raise CourseError(
+                f"exercise {exercise.slug} cannot be accepted: it fails with {type(error).__name__}: {error} on the "
+                f"numbers of {record.student}, which were handed out before it changed"
+            ) from error
+        self.gradebook.accept_answers(record, answers)
+        return replace(record, answers=answers)
 
     def results(self, step: Callable[[], None] = lambda: None) -> list[Result]:
         """A result for every student of the roster, in its order; `step` is called after each."""
@@ -112,7 +122,9 @@ class SheetMarker:
         except CourseError as error:
             return Result(student, self.sheet.name, self._waiting(str(error)), reason=str(error))
         if submission is None:
-            return Result(student, self.sheet.name, reason="no submission")
+            other = misnamed(self.course.folder, student.id, [sheet.name for sheet in self.course.settings.sheet])
+            hint = f"; {other} is there, but the file takes the name {self.sheet.name}.ipynb" if other else ""
+            return Result(student, self.sheet.name, reason=f"no submission{hint}")
         records = self._records.get(student.id, {})
         if len(records) < len(self.exercises):
             reason = "no sheet was generated for this student; `kinegrade generate` adds it"
@@ -144,9 +156,12 @@ class SheetMarker:
         asks = [Ask(part.variable) for part in self._parts()]
         with ThreadPoolExecutor(max_workers=os.cpu_count() or 1) as pool:
             futures = {pool.submit(work.submission.raws, asks, self.limits): work for work in todo}
-            for future in as_completed(futures):
-                error = future.exception()
-                yield futures[future], future.result() if error is None else _plain(error)
+            try:
+                for future in as_completed(futures):
+                    error = future.exception()
+                    yield futures[future], future.result() if error is None else _plain(error)
+            finally:
+                pool.shutdown(cancel_futures=True)  # stopped on the way, it does not run the rest of the class
 
     def _mark(self, work: _Work, raws: dict[str, Raw] | Exception) -> Result:
         try:
@@ -162,7 +177,13 @@ class SheetMarker:
 
     def _mark_exercise(self, exercise: Exercise, work: _Work, raws: dict[str, Raw]) -> Iterator[Verdict]:
         others = self._others(exercise, work.student)
-        for verdict in mark(exercise, work.records[exercise.slug].numbers, raws, others):
+        try:
+            verdicts = mark(exercise, work.records[exercise.slug].numbers, raws, others)
+        except Exception as error:
+            log.exception("%s, sheet %s: %s could not be marked", work.student.id, self.sheet.name, exercise.slug)
+            reason = f"exercise {exercise.slug} failed with {type(error).__name__}; your answer is kept"
+            verdicts = [not_graded(part.variable, part.points, reason) for part in exercise.asked]
+        for verdict in verdicts:
             moved = verdict.part in work.moved
             yield not_graded(verdict.part, verdict.out_of, CHANGED) if moved else verdict
 
@@ -172,6 +193,14 @@ class SheetMarker:
             for other, records in self._records.items()
             if other != student.id and exercise.slug in records
         }
+
+
+def _changed(record: Record, exercise: Exercise) -> list[str]:
+    try:
+        return moved_parts(record, exercise)
+    except Exception:  # an exercise edited since may need numbers that were never drawn
+        log.exception("exercise %s fails on the numbers of %s", exercise.slug, record.student)
+        return [part.variable for part in exercise.asked]
 
 
 def _plain(error: BaseException) -> Exception:

@@ -1,3 +1,4 @@
+# pyright: basic
 """Sheets and worked solutions as notebooks: the same bytes for the same student, every time."""
 
 import hashlib
@@ -36,9 +37,10 @@ def notebooks(course: str, sheet: Sheet, student: Student, pairs: Sequence[Pair]
         solution += [_markdown(question), *_worked(exercise, v)]
     handout += [_markdown(SELF_CHECK), _code(self_check([part for exercise, _ in pairs for part in exercise.asked]))]
     about = {"sheet": sheet.name, "student": student.id, "mode": sheet.mode}
+    order = [exercise.slug for exercise, _ in pairs]  # a notebook's keys are sorted when it is written
     numbers = {exercise.slug: v for exercise, v in pairs}
     return (
-        _written(handout, about | {"numbers": numbers}, f"{sheet.name}/{student.id}"),
+        _written(handout, about | {"exercises": order, "numbers": numbers}, f"{sheet.name}/{student.id}"),
         _written(solution, about, f"solution/{sheet.name}/{student.id}"),
     )
 
@@ -97,11 +99,18 @@ def _heading(course: str, sheet: Sheet, student: Student, pairs: Sequence[Pair])
     minutes = sum(exercise.minutes for exercise, _ in pairs)
     lines = [
         f"# {sheet.title or sheet.name}",
-        f"{course} · sheet `{sheet.name}` · **{no_markup(student.name)}** (`{student.id}`) · {_points(points)} · "
-        f"about {minutes} minutes",
-        "The numbers on this sheet are yours alone. Replace each `...` by your answer and keep the names of the "
-        "variables: answers are collected by name. Run all cells, save, and hand in this file.",
-        "Units are metres, radians and seconds. In every Jacobian and twist the linear rows stand above the angular ones.",
+        (
+            f"{course} · sheet `{sheet.name}` · **{no_markup(student.name)}** (`{student.id}`) · {_points(points)} · "
+            f"about {minutes} minutes"
+        ),
+        (
+            "The numbers on this sheet are yours alone. Replace each `...` by your answer and keep the names of the "
+            "variables: answers are collected by name. Run all cells, save, and hand in this file."
+        ),
+        (
+            "Units are metres, radians and seconds. In every Jacobian and twist the linear rows stand above the "
+            "angular ones."
+        ),
     ]
     return "\n\n".join(lines)
 

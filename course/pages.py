@@ -150,7 +150,7 @@ def _figure(folder: Path, name: str) -> dict[str, str]:
 
 @cache
 def _template(name: str) -> Template:
-    environment = Environment(loader=BaseLoader(), autoescape=True, trim_blocks=True, lstrip_blocks=True)
+    environment: Any = Environment(loader=BaseLoader(), autoescape=True, trim_blocks=True, lstrip_blocks=True)
     style = files("kinegrade.course").joinpath("templates/style.css").read_text(encoding="utf-8")
     environment.globals["style"] = Markup(style)  # noqa: S704 - our own file
     return environment.from_string(files("kinegrade.course").joinpath(f"templates/{name}").read_text(encoding="utf-8"))

@@ -6,6 +6,7 @@ from pathlib import Path
 
 from ..exercises.catalogue import exercise_files, find
 from ..exercises.exercise import Exercise
+from .check import read_handout
 from .config import Course, CourseError, Sheet, Student
 from .files import write_atomically
 from .gradebook import Gradebook
@@ -48,37 +49,54 @@ def generate(
         exercises = exercises_of(course, sheet)
         drawn = {(record.student, record.exercise): record for record in gradebook.records(sheet.name)}
         for student in course.students:
-            records = _records(course, gradebook, sheet, student, exercises, drawn)
+            fresh = _draw_missing(course.settings.secret, sheet, student, exercises, drawn)
+            records = [drawn[student.id, exercise.slug] for exercise in exercises]
+            if fresh:
+                _agree(_released(course, sheet, student), records)
+                gradebook.save_records(fresh)
             done.append(_release(course, sheet, student, exercises, records))
             step()
     return done
 
 
-def _records(
-    course: Course,
-    gradebook: Gradebook,
-    sheet: Sheet,
-    student: Student,
-    exercises: list[Exercise],
-    drawn: dict[tuple[str, str], Record],
+def _draw_missing(
+    secret: str, sheet: Sheet, student: Student, exercises: list[Exercise], drawn: dict[tuple[str, str], Record]
 ) -> list[Record]:
-    """The student's records, drawn and saved where they are missing."""
+    """What was not drawn for the student before, also put into `drawn`."""
     fresh: list[Record] = []
     for exercise in exercises:
         key = (student.id, exercise.slug)
         if key in drawn:
             continue
         taken = {canonical(record.numbers) for record in drawn.values() if record.exercise == exercise.slug}
-        drawn[key] = draw_record(course.settings.secret, sheet.name, student.id, exercise, taken)
+        drawn[key] = draw_record(secret, sheet.name, student.id, exercise, taken)
         fresh.append(drawn[key])
-    gradebook.save_records(fresh)
-    return [drawn[student.id, exercise.slug] for exercise in exercises]
+    return fresh
+
+
+def _agree(path: Path, records: list[Record]) -> None:
+    """Refuses to record numbers for a notebook that was handed out with others."""
+    if not path.exists():
+        return
+    try:
+        same = read_handout(path).numbers == {record.exercise: record.numbers for record in records}
+    except CourseError:
+        same = False
+    if not same:
+        raise CourseError(
+            f"{path} was handed out with other exercises or numbers than would be drawn now, so nothing was recorded; "
+            "give new exercises a sheet of their own, or bring back the gradebook and the secret of that day"
+        )
+
+
+def _released(course: Course, sheet: Sheet, student: Student) -> Path:
+    return course.folder / "released" / student.id / f"{sheet.name}.ipynb"
 
 
 def _release(
     course: Course, sheet: Sheet, student: Student, exercises: list[Exercise], records: list[Record]
 ) -> Released:
-    path = course.folder / "released" / student.id / f"{sheet.name}.ipynb"
+    path = _released(course, sheet, student)
     solution = course.folder / "solutions" / student.id / f"{sheet.name}.ipynb"
     pairs = list(zip(exercises, (record.numbers for record in records), strict=True))
     new = not path.exists()

@@ -1,6 +1,6 @@
 """What students handed in: found by name, read as bytes, turned into raw values."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -38,9 +38,28 @@ def find_submission(folder: Path, student: str, sheet: str) -> Submission | None
     """
     for suffix in READERS:
         path = folder / "submitted" / student / f"{sheet}{suffix}"
-        if path.is_file():
+        if path.exists() or path.is_symlink():
             return read_submission(path)
     return None
+
+
+def misnamed(folder: Path, student: str, sheets: Collection[str]) -> str:
+    """The first of a student's files that belongs to no sheet by its name; empty when there is none."""
+    try:
+        names = sorted(path.name for path in (folder / "submitted" / student).iterdir())
+    except OSError:
+        return ""
+    known = {f"{sheet}{suffix}" for sheet in sheets for suffix in READERS}
+    return next((name for name in names if name not in known and not name.startswith(".")), "")
+
+
+def strangers(folder: Path, students: Collection[str]) -> list[str]:
+    """Names in submitted/ that are nobody's of the roster."""
+    try:
+        names = sorted(path.name for path in (folder / "submitted").iterdir())
+    except OSError:
+        return []
+    return [name for name in names if name not in students and not name.startswith(".")]
 
 
 def read_submission(path: Path) -> Submission:
@@ -52,6 +71,8 @@ def read_submission(path: Path) -> Submission:
     if path.suffix not in READERS:
         raise CourseError(f"{path}: a submission takes one of the endings {', '.join(READERS)}, got {path.suffix!r}")
     try:
+        if path.exists() and not path.is_file():  # a pipe would be waited for
+            raise CourseError(f"{path} cannot be read: it is not a file")
         size = path.stat().st_size
         if size > MAX_BYTES:
             raise CourseError(f"{path} has {size >> 20} MB; a submission may have {MAX_BYTES >> 20} MB")

@@ -10,11 +10,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..solutions.jacobian import jacobian
+from ..solutions.jacobian import Frame, jacobian
 from ..solutions.robots import ROBOTS
 from ..solutions.velocity import joint_rates
-from .draws import angles, rates
 from .drawing import Drawing, Triad
+from .draws import angles, rates
 from .exercise import Exercise, Given, Numbers, Outcome, Part, Step, Variant
 
 ROBOT = ROBOTS["puma560"]
@@ -41,14 +41,16 @@ def jacobian_at_q(v: Variant, _: Given) -> Array:
 
 
 def twist(v: Variant, given: Given) -> Array:
-    return given["puma_velocities_J"] @ np.array(v["qdot_b"])
+    J: Array = given["puma_velocities_J"]
+    return J @ np.array(v["qdot_b"])
 
 
 def rates_for_speed(v: Variant, given: Given) -> Array:
-    return np.linalg.solve(given["puma_velocities_J"], target(v))
+    J: Array = given["puma_velocities_J"]
+    return np.asarray(np.linalg.solve(J, target(v)), dtype=np.float64)
 
 
-READINGS = (
+READINGS: tuple[tuple[str, slice, Frame], ...] = (
     ("the linear velocity only, with least norm; the sheet asks for zero angular velocity too", slice(0, 3), "base"),
     ("the x component only, with least norm; the sheet asks for five components to be zero", slice(0, 1), "base"),
     ("a velocity along the x axis of the tool; the sheet asks for base x", slice(None), "tool"),

@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 
 from ..solutions.robots import ROBOTS, Robot
 from ..solutions.table import Table
-from .draws import angles, length
 from .drawing import Dimension, Drawing, Triad, point
+from .draws import angles, length
 from .exercise import Exercise, Given, Numbers, Part, Step, TableOf, Variant
 
 Array = NDArray[np.float64]
@@ -87,7 +87,7 @@ def jacobian_of(_: Variant, given: Given) -> Array:
 
 
 def explain_table(v: Variant, given: Given) -> list[Step]:
-    import sympy
+    import sympy  # pyright: ignore[reportMissingTypeStubs]
 
     cells = sympy.Matrix([[cell.sympy() for cell in row] for row in given["rrt_dh"].rows])
     sense = "left" if FORMS[v["form"]][0] < 0 else "right"

@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..solutions.robots import ROBOTS
-from .draws import angles, length
 from .drawing import Dimension, Drawing, Triad, point
+from .draws import angles, length
 from .exercise import Exercise, Given, Numbers, Part, Step, Variant
 
 ROBOT = ROBOTS["three_axis"]
@@ -17,7 +17,7 @@ Array = NDArray[np.float64]
 def draw(rng: np.random.Generator) -> dict[str, Any]:
     """Lengths and a posture away from the stretched arm and from the axis of joint 1."""
     while True:
-        v = {"L": length(rng), "a2": length(rng), "a3": length(rng), "q": angles(rng, 3, [(1, 2)])}
+        v: dict[str, Any] = {"L": length(rng), "a2": length(rng), "a3": length(rng), "q": angles(rng, 3, [(1, 2)])}
         _, q2, q3 = v["q"]
         radius = v["a3"] * np.cos(q2 + q3) - v["a2"] * np.sin(q2)
         if abs(np.cos(q3)) > 0.3 and abs(radius) > 0.2:
@@ -42,12 +42,14 @@ def axes(v: Variant, _: Given) -> Array:
 
 
 def positional(_: Variant, given: Given) -> Array:
-    p, z = given["three_axis_p"], given["three_axis_z"]
+    p: Array = given["three_axis_p"]
+    z: Array = given["three_axis_z"]
     return np.cross(z, p[:, 3:] - p[:, :3], axis=0)
 
 
 def angular(_: Variant, given: Given) -> Array:
-    return given["three_axis_z"]
+    z: Array = given["three_axis_z"]
+    return z
 
 
 def stacked(_: Variant, given: Given) -> Array:

@@ -199,7 +199,7 @@ def _seat(joint: Joint, span: tuple[float, float], seated: Sequence[Joint], *, l
     for other in seated:
         theirs = other.centre + steps[:, None] * (other.half - 0.6 * other.radius) * other.axis
         apart = np.sqrt(((mine[:, :, None] - theirs) ** 2).sum(-1)).min((1, 2))
-        tight = -apart
+        tight = joint.radius + other.radius + GAP - apart
         price += 6 * np.maximum(0, tight) + 0.5 * np.maximum(0, tight + 1.6 * joint.radius)
     return replace(joint, centre=joint.origin + t[np.argmin(price)] * joint.axis)
 

@@ -14,6 +14,7 @@ import sys
 import tempfile
 import time
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -124,7 +125,7 @@ def _exchange(process: "subprocess.Popen[bytes]", ours: int, request: bytes, sec
         if not chunk:
             return newest, ""
         buffer += chunk
-        while len(buffer) >= 8:  # noqa: PLR2004 - a frame is its length in eight bytes, then JSON
+        while len(buffer) >= 8:
             length = int.from_bytes(buffer[:8], "little")
             if length > MAX_FRAME:
                 return newest, "the notebook wrote more than its answers can hold"
@@ -135,16 +136,11 @@ def _exchange(process: "subprocess.Popen[bytes]", ours: int, request: bytes, sec
 
 def _hand_over(process: "subprocess.Popen[bytes]", request: bytes) -> None:
     assert process.stdin is not None  # noqa: S101 - Popen was given a pipe
-    try:
-        with process.stdin as pipe:
-            pipe.write(request)
-    except BrokenPipeError:
-        pass  # it ended before reading; the empty frame says so
+    with suppress(BrokenPipeError), process.stdin as pipe:  # it may end before reading; the empty frame says so
+        pipe.write(request)
 
 
 def _end(process: "subprocess.Popen[bytes]") -> None:
-    try:
+    with suppress(ProcessLookupError):
         os.killpg(process.pid, signal.SIGKILL)
-    except ProcessLookupError:
-        pass
     process.wait()

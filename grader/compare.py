@@ -19,7 +19,7 @@ def right_entries(exercise: Exercise, part: Part, v: Variant, given: Given, refe
     if isinstance(part.answer, TableOf):
         return _right_cells(part.answer, v, reference, value)
     allowed = tolerance(exercise.slug, part, v, given, exercise.scale(v))
-    return np.abs(value - reference) <= allowed
+    return np.less_equal(np.abs(value - reference), allowed, dtype=bool)
 
 
 def _right_cells(answer: TableOf, v: Variant, reference: Table, value: Table) -> Mask:
@@ -30,7 +30,7 @@ def _right_cells(answer: TableOf, v: Variant, reference: Table, value: Table) ->
     difference = _table_numbers(value, v, q) - _table_numbers(reference, v, q)
     angle = difference[..., ANGLES]
     difference[..., ANGLES] = angle - 2 * np.pi * np.round(angle / (2 * np.pi))
-    return (np.abs(difference) <= allowed).all(axis=0)
+    return np.less_equal(np.abs(difference).max(axis=0), allowed, dtype=bool)
 
 
 def _table_numbers(table: Table, v: Variant, q: ArrayLike) -> NDArray[np.float64]:
@@ -71,8 +71,8 @@ def fraction(right: Mask, earning: Mask, credit: Credit) -> float:
         return 0.0
     columns = right.reshape(-1, 1) if right.ndim == 1 else right
     weights = earning.reshape(columns.shape)
-    sound = (columns | weights).all(axis=-2)
-    whole = columns.all(axis=-2) if credit == "column" else np.ones_like(sound)
-    earned = (columns & weights & sound[..., None, :] & whole[..., None, :]).sum()
-    barren = ~weights.any(axis=-2) & ~sound
-    return max(0.0, float(earned / weights.sum()) - float(barren.mean()))
+    sound = (columns | weights).all(axis=-2, keepdims=True)
+    whole = columns.all(axis=-2, keepdims=True) if credit == "column" else np.ones_like(sound)
+    earned = int((columns & weights & sound & whole).sum())
+    barren = ~weights.any(axis=-2, keepdims=True) & ~sound
+    return max(0.0, earned / int(weights.sum()) - float(np.mean(barren)))

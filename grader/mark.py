@@ -166,13 +166,13 @@ def _trivial(reference: Any, own: Any) -> bool:
 
 
 def _different_numbers(array: Any) -> int:
-    sizes = np.unique(np.round(np.abs(array), 4))
+    sizes = np.unique(np.round(np.abs(np.asarray(array, dtype=np.float64)), 4))
     return int(((sizes != 0) & (sizes != 1)).sum())
 
 
 @lru_cache(maxsize=64)
 def _varying(exercise: Exercise) -> dict[str, Mask]:
-    variants = [exercise.draw(np.random.default_rng(seed)) for seed in range(SAMPLE)]
+    variants: list[Variant] = [exercise.draw(np.random.default_rng(seed)) for seed in range(SAMPLE)]
     answers = [references(exercise, v) for v in variants]
     return {
         part.variable: varying_entries([answer[part.variable] for answer in answers], part, variants)

@@ -1,7 +1,7 @@
 """From raw values to answers of the declared kind: shape before anything else, then finite, then values."""
 
 from collections.abc import Callable
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -76,9 +76,10 @@ def _cells(raw: Raw, shape: tuple[int, int]) -> list[list[Any]]:
         if array.shape == shape and np.isfinite(array).all():
             return array.tolist()
         raise Unreadable(f"takes a table of shape {shape}: theta, d, a, alpha for each joint, got {array.shape}")
-    cells: Any = raw.value
-    if not isinstance(cells, list) or not all(isinstance(row, list) for row in cells):
-        raise Unreadable(f"takes a list of {shape[0]} rows, got {_clip(cells)}")
+    given: Any = raw.value
+    cells = cast("list[Any]", given) if isinstance(given, list) else []
+    if not cells or not all(isinstance(row, list) for row in cells):
+        raise Unreadable(f"takes a list of {shape[0]} rows, got {_clip(raw.value)}")
     counts = [len(row) for row in cells]
     if counts != [shape[1]] * shape[0]:
         raise Unreadable(f"takes {shape[0]} rows of theta, d, a, alpha, got rows of {counts} cells")

@@ -45,7 +45,7 @@ def _spread(
 
 
 def _rounded(value: Any, half: float, rng: np.random.Generator) -> Any:
-    return value + rng.uniform(-half, half, value.shape) if isinstance(value, np.ndarray) else value
+    return value + rng.uniform(-half, half, np.shape(value)) if isinstance(value, np.ndarray) else value  # pyright: ignore[reportUnknownVariableType, reportUnknownArgumentType]
 
 
 def block_scale(answer: Numbers, reference: NDArray[np.float64], length: float) -> NDArray[np.float64]:

@@ -47,7 +47,8 @@ class Verdict:
     def from_json(data: dict[str, Any]) -> "Verdict":
         """The verdict that `to_json` wrote."""
         findings = tuple(Finding(**finding) for finding in data["findings"])
-        return Verdict(**{**data, "findings": findings})
+        fields: dict[str, Any] = {**data, "findings": findings}
+        return Verdict(**fields)
 
 
 def not_graded(part: str, out_of: float, reason: str) -> Verdict:

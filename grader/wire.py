@@ -67,9 +67,9 @@ def read_frame(frame: bytes, names: Sequence[str], why: str) -> dict[str, Raw]:
         content: Any = json.loads(frame) if frame else {}
     except (ValueError, RecursionError):
         content = {}
-    fields: dict[str, Any] = content if isinstance(content, dict) else {}
-    values: Any = fields.get("values")
-    found = {name: _read_value(values.get(name) if isinstance(values, dict) else None) for name in names}
+    fields: dict[str, Any] = content if isinstance(content, dict) else {}  # pyright: ignore[reportUnknownVariableType]
+    values: dict[str, Any] = fields["values"] if isinstance(fields.get("values"), dict) else {}
+    found = {name: _read_value(values.get(name)) for name in names}
     if fields.get("done") is True and not why:
         return found
     nothing = Raw("error", why or "the notebook ended its own process before it finished")

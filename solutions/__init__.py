@@ -1,4 +1,6 @@
 """The reference engine: robots as data, chains, Jacobians, velocities, singularities."""
 
 if __package__ != "kinegrade.solutions":
-    raise ImportError("Import kinegrade.solutions, not solutions: the folder is one package of the namespace kinegrade.")
+    raise ImportError(
+        "Import kinegrade.solutions, not solutions: the folder is one package of the namespace kinegrade."
+    )

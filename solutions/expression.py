@@ -37,8 +37,10 @@ class Expression:
     def __post_init__(self) -> None:
         open_nodes = list[int]()
         for i, node in enumerate(self.nodes):
-            arguments = list(node[1:]) if node[0] in UNARY or node[0] in BINARY else []
-            known = len(arguments) == (1 if node[0] in UNARY else 2) if arguments else _is_leaf(node)
+            kind, *arguments = node or ("",)
+            size = 1 if kind in UNARY else 2 if kind in BINARY else 0
+            known = len(arguments) == size if size else _is_leaf(node)
+            arguments = arguments if size else []
             if not known or open_nodes[len(open_nodes) - len(arguments) :] != arguments:
                 raise ExpressionError(f"nodes takes a tree in post-order, got {node!r} at place {i}")
             open_nodes[len(open_nodes) - len(arguments) :] = [i]
@@ -169,7 +171,7 @@ class _Parser:
         if name in self.names:
             return self.node(offset, "s", name)
         known = list(FUNCTIONS) if called else [*sorted(self.names), "pi"]
-        nearest = difflib.get_close_matches(name[:40], known, 1)
+        nearest = difflib.get_close_matches(name[:40], known, 1, cutoff=0.5)
         hint = f"did you mean {nearest[0]}?" if nearest else f"known: {', '.join(known)}"
         raise ExpressionError(f"unknown {'function' if called else 'name'} '{name[:40]}'; {hint}", offset)
 
@@ -188,7 +190,7 @@ class _Parser:
             places = [int(i) for i in arguments]
             values, power = [self.constants[i] for i in places], max(self.powers[i] for i in places)
             if operation == "^":
-                power = self.power(values[1], power, self.tokens[0].offset if values[1] is None else offset)
+                power = self.power(values[1], power, offset)
             if operation == "/" and values[1] is not None and abs(values[1]) < 1 / SIZE:
                 raise ExpressionError("division by zero", offset)
             if None not in values:

@@ -140,7 +140,8 @@ def trace(chain: Chain, wanted: Wanted) -> Program:
         else:
             poses = [_pose(R, o) for R, o in zip(walk.rotations, walk.origins, strict=True)]
             outputs, shape = [x for pose in poses for x in pose], (chain.n + 1, 4, 4)
-    return Program(chain.kinds, tuple(tracer.angles), _live(tracer.steps, outputs), tuple(outputs), shape)
+    plain = tuple(x if isinstance(x, Signed) else x + 0.0 for x in outputs)  # no zero prints as -0.0
+    return Program(chain.kinds, tuple(tracer.angles), _live(tracer.steps, plain), plain, shape)
 
 
 def _walk(tracer: Tracer, fixed: Array, kinds: str, joints: Sequence[tuple[int, int]]) -> Walk:

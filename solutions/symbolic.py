@@ -80,14 +80,16 @@ def closed_form(robot: Robot) -> ClosedForm:
         p.diff(q).col_join(frame[:3, 2] if kind == "R" else sp.zeros(3, 1))
         for q, kind, frame in zip(joints, robot.kinds, frames[:-1], strict=True)
     ]
-    T, J = (matrix.applyfunc(shortest) for matrix in (frames[-1], sp.Matrix.hstack(*columns)))
-    return ClosedForm(tuple(frame.applyfunc(shortest) for frame in frames), T, J, parameters, joints)
+    printed = tuple(frame.applyfunc(shortest) for frame in frames)
+    return ClosedForm(printed, printed[-1], sp.Matrix.hstack(*columns).applyfunc(shortest), parameters, joints)
 
 
 def shortest(expression: sp.Expr) -> sp.Expr:
-    """The shorter of the multiplied-out and the factored form."""
+    """The shortest of the multiplied-out form, the factored one, and those with one cosine or sine in front."""
     expanded = sp.expand(expression)
-    return min((expanded, sp.factor_terms(expanded), sp.factor(expanded)), key=sp.count_ops)
+    fronts = sorted(expanded.atoms(sp.cos, sp.sin), key=sp.default_sort_key)
+    forms = (expanded, sp.factor(expanded), *(sp.collect(expanded, front) for front in fronts))
+    return min(forms, key=lambda form: sp.count_ops(shorthand(form)))
 
 
 def shorthand(expression: Any) -> Any:

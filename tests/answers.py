@@ -4,7 +4,6 @@ import json
 from functools import cache
 
 import numpy as np
-
 from kinegrade.exercises.catalogue import exercise_files, find
 from kinegrade.grader.wire import Raw
 

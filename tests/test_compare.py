@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 from answers import EXERCISES, variant_of
-
 from kinegrade.exercises.exercise import Numbers, Part, references
 from kinegrade.grader.compare import earning_entries, fraction, right_entries, varying_entries
 from kinegrade.solutions.table import read_table

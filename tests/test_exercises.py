@@ -5,7 +5,6 @@ import json
 import numpy as np
 import pytest
 from answers import EXERCISES, raws, variant_of
-
 from kinegrade.exercises.draws import angles, until
 from kinegrade.exercises.exercise import ExerciseError, Numbers, references
 from kinegrade.grader.mark import mark
@@ -35,12 +34,22 @@ def test_the_reference_earns_full_marks_at_full_precision_and_at_the_asked_decim
     assert earned(exercise, v, rounded) == exercise.points
 
 
+def shape(part):
+    return part.answer.shape if isinstance(part.answer, Numbers) else (len(part.answer.kinds), 4)
+
+
+def transposed(part, answer):
+    if not isinstance(part.answer, Numbers):
+        return [[str(row[i]) for row in answer.rows] for i in range(4)]
+    return np.swapaxes(answer, -1, -2) if answer.ndim > 1 else np.zeros(answer.shape)
+
+
 NONSENSE = {
     "zeros": lambda part, _: np.zeros(shape(part)),
     "ones": lambda part, _: np.ones(shape(part)),
     "minus ones": lambda part, _: -np.ones(shape(part)),
     "identity": lambda part, _: np.eye(*shape(part)[-2:]) + np.zeros(shape(part)) if shape(part)[1:] else np.eye(6)[0],
-    "transposed": lambda part, answer: transposed(part, answer),
+    "transposed": transposed,
     "0.0": lambda *_: 0.0,
     "None": lambda *_: Raw("error", "not a matrix of numbers: None"),
     "x": lambda *_: "x",
@@ -50,16 +59,6 @@ NONSENSE = {
     "a longer matrix": lambda part, _: np.ones((*shape(part)[:-1], shape(part)[-1] + 1)),
     "missing": lambda *_: Raw("missing"),
 }
-
-
-def shape(part):
-    return part.answer.shape if isinstance(part.answer, Numbers) else (len(part.answer.kinds), 4)
-
-
-def transposed(part, answer):
-    if not isinstance(part.answer, Numbers):
-        return [[str(row[i]) for row in answer.rows] for i in range(4)]
-    return np.swapaxes(answer, -1, -2) if answer.ndim > 1 else np.zeros(answer.shape)
 
 
 @pytest.mark.parametrize("kind", NONSENSE)

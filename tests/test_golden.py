@@ -93,7 +93,9 @@ def test_the_tool_frame_jacobian_has_the_columns_of_s1_5_26_and_5_27(name: str):
 def test_the_printed_table_gives_the_same_chain(name: str):
     golden, rows = GOLDEN[name], list[list[float]]()
     for link in golden["links"]:
-        cells = [0.0 if link[key] == "q" else float(parse(link[key], ()).at({})) for key in ("theta", "d", "a", "alpha")]
+        cells = [
+            0.0 if link[key] == "q" else float(parse(link[key], ()).at({})) for key in ("theta", "d", "a", "alpha")
+        ]
         cells[0 if link["kind"] == "R" else 1] += float(parse(link["offset"], ()).at({}))
         rows.append(cells)
     tool = np.eye(4)

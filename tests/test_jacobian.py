@@ -87,7 +87,7 @@ def test_the_jacobian_of_a_robot_agrees_with_finite_differences(name: str):
 
 
 @pytest.mark.parametrize("batched", [False, True])
-def test_s0_section_4_3_1_comes_out_as_printed(batched: bool):  # noqa: FBT001
+def test_s0_section_4_3_1_comes_out_as_printed(batched: bool):
     chain = ROBOTS["three_axis"].chain({"L": 3, "a2": 2, "a3": 2})
     q: Any = (0, -math.pi / 6, math.pi / 6)
     reached = frames(chain, [q])[0] if batched else frames(chain, q)
@@ -208,6 +208,13 @@ def test_axes_that_are_almost_parallel_keep_their_own_angles():
 def test_constant_columns_cost_no_steps():
     assert trace(from_standard([[0, 0, 0, 0]] * 3, "PPP"), "base").steps == ()
     assert len(trace(ROBOTS["planar_2r"].chain(), "base").steps) == 4
+
+
+@pytest.mark.parametrize("frame", ["base", "tool"])
+@pytest.mark.parametrize("name", ROBOTS)
+def test_constant_zeros_have_no_sign(name: str, frame: Literal["base", "tool"]):
+    constants = [x for x in trace(ROBOTS[name].chain(), frame).outputs if isinstance(x, float)]
+    assert not any(math.copysign(1, x) < 0 for x in constants if x == 0)
 
 
 @pytest.mark.parametrize("turn", [half_angle, direct])

@@ -5,7 +5,6 @@ import dataclasses
 import numpy as np
 import pytest
 from answers import EXERCISES, raws, variant_of
-
 from kinegrade.exercises.exercise import references
 from kinegrade.grader.mark import mark
 from kinegrade.grader.verdict import Verdict

@@ -4,7 +4,6 @@ import json
 
 import numpy as np
 import pytest
-
 from kinegrade.exercises.exercise import Numbers
 from kinegrade.grader.collect import Ask
 from kinegrade.grader.named_matrices import from_csv, from_json

@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 from answers import EXERCISES, raws, variant_of
-
 from kinegrade.exercises.exercise import references
 from kinegrade.grader.own_work import remarks
 from kinegrade.grader.wire import Raw

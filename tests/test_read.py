@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 from answers import raw, variant_of
-
 from kinegrade.exercises.exercise import Numbers, TableOf
 from kinegrade.grader.read import Unreadable, read
 from kinegrade.grader.wire import Raw

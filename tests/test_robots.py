@@ -53,7 +53,9 @@ def test_the_factors_are_the_determinant_of_the_task_block(arm: Robot):
     q = within_limits(arm, 40)
     for parameters in ({}, other_parameters(arm)):
         values = valued(arm, parameters, q)
-        product = np.prod([parse(f.expression, arm.names).at(values) ** f.power for f in arm.factors], axis=0)
+        product = np.ones(len(q))
+        for factor in arm.factors:
+            product *= parse(factor.expression, arm.names).at(values) ** factor.power
         determinant = np.linalg.det(jacobian(arm.chain(parameters), q)[:, arm.task_rows, :])
         constant = determinant[0] / product[0]
         assert constant != 0
@@ -77,10 +79,8 @@ def test_the_elbow_of_the_puma_is_straight_or_folded_where_tan_q3_is_minus_d4_ov
 def test_at_a_shoulder_singularity_the_wrist_centre_is_at_the_shoulder_offset_from_axis_1():
     arm = robot("puma560")
     values, q3 = arm.values(), 0.3
-    across, along = (
-        values["a2"] + values["a3"] * math.cos(q3) - values["d4"] * math.sin(q3),
-        (values["a3"] * math.sin(q3) + values["d4"] * math.cos(q3)),
-    )
+    across = values["a2"] + values["a3"] * math.cos(q3) - values["d4"] * math.sin(q3)
+    along = values["a3"] * math.sin(q3) + values["d4"] * math.cos(q3)
     T = forward(arm.chain(), [0.4, math.atan2(across, along), q3, 0, 0.5, 0])
     assert math.hypot(T[0, 3], T[1, 3]) == pytest.approx(values["d3"], abs=1e-12)
 

@@ -56,15 +56,15 @@ def test_a_closed_form_is_made_once(arm: Robot):
 def test_linear_columns_are_derivatives_of_the_tool_point(arm: Robot):
     closed = arm.symbolic()
     for j, q in enumerate(closed.joints):
-        difference = closed.J[:3, j] - closed.T[:3, 3].diff(q)
-        assert difference.applyfunc(sp.expand) == sp.zeros(3, 1)
+        for row in range(3):
+            assert sp.expand(closed.J[row, j] - sp.diff(closed.T[row, 3], q)) == 0
 
 
 def operations(arm: Robot) -> int:
     return sum(sp.count_ops(entry) for entry in shorthand(arm.symbolic().J))
 
 
-def test_the_puma_takes_88_operations_and_65_after_common_subexpressions():
+def test_the_puma_takes_at_most_88_operations_and_65_after_common_subexpressions():
     arm = ROBOTS["puma560"]
     replaced, (reduced,) = sp.cse(shorthand(arm.symbolic().J))
     assert operations(arm) <= 88
@@ -103,7 +103,6 @@ def test_shorthand_keeps_what_is_no_sum_of_joints():
 
 def test_a_flipped_parallel_axis_subtracts_its_angle():
     J = closed_form(EXTRA).J
-    assert sp.count_ops(shorthand(J)) < 60
     assert J.atoms(sp.cos) <= {sp.cos(x) for x in _angles()}
 
 

@@ -121,5 +121,5 @@ def test_numbers_take_the_shape_of_the_joint_values():
     table = read_table(CELLS, NAMES)
     numbers = table.numbers({**VALUES, "q1": np.zeros((5, 1)), "q2": 0.0, "q3": np.ones(4)})
     assert numbers.shape == (5, 4, 3, 4)
-    np.testing.assert_allclose(numbers[2, 1], np.array(NUMBERS) + [[0] * 4, [0] * 4, [0, 1, 0, 0]], atol=1e-15)
+    np.testing.assert_allclose(numbers[2, 1], np.add(NUMBERS, [[0] * 4, [0] * 4, [0, 1, 0, 0]]), atol=1e-15)
     assert len(COLUMNS) == numbers.shape[-1]

@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 from answers import variant_of
-
 from kinegrade.exercises.exercise import Numbers, Part, TableOf, references
 from kinegrade.grader.tolerance import CAP, FLOOR, block_scale, tolerance
 

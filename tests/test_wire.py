@@ -4,7 +4,6 @@ import json
 
 import numpy as np
 import pytest
-
 from kinegrade.grader.wire import read_frame
 
 

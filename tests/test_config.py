@@ -1,0 +1,183 @@
+"""course.toml and roster.csv: what can be read is read, and what cannot is named with its place."""
+
+import pytest
+from courses import make_course
+from kinegrade.course.config import CourseError, read_course, read_roster, read_settings, write_course
+
+GOOD = 'title = "T"\nsecret = "0123456789abcdef"\n[[sheet]]\nname = "one"\nexercises = ["rrt"]\n'
+
+
+def settings(tmp_path, text):
+    path = tmp_path / "course.toml"
+    path.write_bytes(text if isinstance(text, bytes) else text.encode())
+    return read_settings(path)
+
+
+def roster(tmp_path, text):
+    path = tmp_path / "roster.csv"
+    path.write_bytes(text if isinstance(text, bytes) else text.encode())
+    return list(read_roster(path))
+
+
+def test_a_new_course_is_read_as_it_was_written(tmp_path):
+    write_course(tmp_path / "deep" / "course")
+    course = read_course(tmp_path / "deep" / "course")
+    assert [sheet.name for sheet in course.settings.sheet] == ["jacobian"]
+    assert [student.id for student in course.students] == ["student01", "student02"]
+    assert (course.settings.limits.cell_seconds, course.settings.limits.notebook_seconds) == (5, 30)
+
+
+def test_every_new_course_has_a_secret_of_its_own_and_comments(tmp_path):
+    texts = []
+    for name in ("first", "second"):
+        write_course(tmp_path / name)
+        texts.append((tmp_path / name / "course.toml").read_text(encoding="utf-8"))
+    secrets = [read_course(tmp_path / name).settings.secret for name in ("first", "second")]
+    assert secrets[0] != secrets[1]
+    assert all(len(secret) == 64 for secret in secrets)
+    assert all(text.count("\n#") >= 8 for text in texts)
+
+
+def test_a_course_is_never_overwritten(tmp_path):
+    write_course(tmp_path)
+    before = (tmp_path / "course.toml").read_bytes()
+    with pytest.raises(CourseError, match="already there; init never overwrites"):
+        write_course(tmp_path)
+    assert (tmp_path / "course.toml").read_bytes() == before
+
+
+def test_a_roster_that_is_there_is_kept_by_init(tmp_path):
+    (tmp_path / "roster.csv").write_text("student,name\nada,Ada\n", encoding="utf-8")
+    write_course(tmp_path)
+    assert [student.id for student in read_course(tmp_path).students] == ["ada"]
+
+
+def test_an_init_that_was_killed_before_its_end_can_be_repeated(tmp_path, monkeypatch):
+    monkeypatch.setattr("kinegrade.course.config.write_atomically", lambda *_: 1 / 0)
+    with pytest.raises(ZeroDivisionError):
+        write_course(tmp_path / "course")
+    monkeypatch.undo()
+    write_course(tmp_path / "course")
+    assert read_course(tmp_path / "course").students
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("titel = 1\n" + GOOD, ["unknown key 'titel'", "did you mean 'title'?", "title, secret, sheet, limits"]),
+        (GOOD.replace("[[sheet]]", "[[sheets]]"), ["unknown key 'sheets'", "did you mean 'sheet'?"]),
+        (GOOD + 'mod = "exam"\n', ["unknown key 'sheet.1.mod'", "did you mean 'mode'?"]),
+        (GOOD + "[limits]\ncell_second = 3\n", ["unknown key 'limits.cell_second'", "did you mean 'cell_seconds'?"]),
+        (GOOD + "[[other]]\n", ["unknown key 'other'", "valid here: title"]),
+        (GOOD.replace('secret = "0123456789abcdef"\n', ""), ["the key 'secret' is missing"]),
+        (GOOD.replace('name = "one"\n', ""), ["the key 'sheet.1.name' is missing"]),
+        (GOOD + 'mode = "test"\n', ["sheet.1.mode", "'practice', 'graded' or 'exam'", "got 'test'"]),
+        (GOOD + "[limits]\ncell_seconds = 0\n", ["limits.cell_seconds", "greater than 0", "got 0"]),
+        (GOOD + '[limits]\nmemory_mb = "much"\n', ["limits.memory_mb", "valid integer", "got 'much'"]),
+        (GOOD.replace('["rrt"]', "[]"), ["sheet.1.exercises", "at least 1 item"]),
+        (GOOD.replace('"one"', '"../one"'), ["sheet.1.name", "got '../one'"]),
+        (GOOD.replace('"one"', '"one."'), ["sheet.1.name", "got 'one.'"]),
+        (GOOD.replace('"one"', '"nul"'), ["cannot be called 'nul'"]),
+        (GOOD + GOOD[GOOD.index("[[") :], ["two sheets are called 'one'"]),
+        (GOOD + GOOD[GOOD.index("[[") :].replace("one", "ONE"), ["two sheets are called"]),
+        ("title = \n", ["not TOML", "line 1"]),
+        (b"title = '\xe9'\n", ["cannot be read as UTF-8 text"]),
+        ("", ["is missing"]),
+    ],
+)
+def test_a_course_file_that_cannot_be_meant_is_refused_with_what_and_where(tmp_path, text, words):
+    with pytest.raises(CourseError) as error:
+        settings(tmp_path, text)
+    assert str(error.value).startswith(str(tmp_path / "course.toml"))
+    assert [word for word in words if word not in str(error.value)] == []
+    assert "\n" not in str(error.value)
+
+
+def test_a_secret_that_is_too_short_is_not_repeated_in_the_complaint(tmp_path):
+    with pytest.raises(CourseError, match="secret: string should have at least 16 characters") as error:
+        settings(tmp_path, GOOD.replace("0123456789abcdef", "hush-hush"))
+    assert "hush" not in str(error.value)
+
+
+def test_a_course_file_may_start_with_a_byte_order_mark(tmp_path):
+    assert settings(tmp_path, "\ufeff" + GOOD).title == "T"
+
+
+@pytest.mark.parametrize("name", ["course.toml", "roster.csv"])
+def test_a_file_that_is_not_there_or_is_a_folder_is_named(tmp_path, name):
+    make_course(tmp_path)
+    (tmp_path / name).unlink()
+    with pytest.raises(CourseError, match=rf"{name} is not there: a course folder takes a {name}"):
+        read_course(tmp_path)
+    (tmp_path / name).mkdir()
+    with pytest.raises(CourseError, match=rf"{name} cannot be read"):
+        read_course(tmp_path)
+
+
+def test_sheets_are_found_by_name_and_a_wrong_name_gets_the_nearest(tmp_path):
+    course = read_course(make_course(tmp_path))
+    assert course.sheets(("one",)) == course.sheets() == course.settings.sheet
+    with pytest.raises(CourseError, match=r"no sheet 'onne' \(did you mean 'one'\?\); course.toml has: one"):
+        course.sheets(("onne",))
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "student,name\nada,Ada Lovelace\nben,Ben\n",
+        "\ufeffstudent,name\r\nada,Ada Lovelace\r\nben,Ben\r\n",
+        "student,name\n\nada,Ada Lovelace\n,\n  ,  \nben,Ben",
+        " student , name \n ada , Ada Lovelace \nben,Ben,,\n",
+        'name,group,student\n"Ada\nLovelace",1,ada\nBen,2,ben\n',
+        "student,name\rada,Ada Lovelace\rben,Ben\r",
+    ],
+)
+def test_a_roster_is_read_however_a_spreadsheet_wrote_it(tmp_path, text):
+    assert [(student.id, student.name) for student in roster(tmp_path, text)] == [("ada", "Ada Lovelace"), ("ben", "Ben")]
+
+
+def test_a_name_may_be_missing_or_hold_anything(tmp_path):
+    read = roster(tmp_path, 'student,name\nada\nben,"Bot, ""Ben"" <b>"\ncyd,Çağ\u2028rı\n')
+    assert [student.name for student in read] == ["ada", 'Bot, "Ben" <b>', "Çağ rı"]
+
+
+@pytest.mark.parametrize("student", ["../x", "a/b", ".hidden", "-rf", "CON", "nul.txt", "Lpt1", "a b", "ä", "x" * 65, "a.", ""])
+def test_an_id_that_cannot_name_a_folder_everywhere_is_refused_with_its_line(tmp_path, student):
+    with pytest.raises(CourseError, match=r"roster.csv, line 3: a student takes an id of letters, digits") as error:
+        roster(tmp_path, f"student,name\nada,Ada\n{student},Somebody\n")
+    assert repr(student) in str(error.value)
+
+
+@pytest.mark.parametrize("student", ["a", "7", "Ada.L-2_x", "s1234567", "console", "x" * 64])
+def test_an_id_that_can_name_a_folder_is_taken(tmp_path, student):
+    assert roster(tmp_path, f"student,name\n{student},Ada\n")[0].id == student
+
+
+@pytest.mark.parametrize("twin", ["ada", "ADA", " Ada "])
+def test_a_student_twice_is_refused_with_both_lines(tmp_path, twin):
+    with pytest.raises(CourseError, match=r"roster.csv, line 5: student '\w+' is already in line 2"):
+        roster(tmp_path, f"student,name\nada,Ada\n\nben,Ben\n{twin},Ada too\n")
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("student\nada\n", "the column 'name' is missing; the first line has: student"),
+        ("student;name\nada;Ada\n", "the column 'student' is missing; the first line has: student;name"),
+        ("ada,Ada\n", "the column 'student' is missing; the first line has: ada, Ada"),
+        ("", "the column 'student' is missing; the first line has: nothing"),
+        ("student,name\nada,Lovelace, Ada\n", "line 2: 3 cells for 2 columns"),
+        ("student,name\nada," + "x" * 200_000 + "\n", "not a CSV file: field larger than field limit"),
+        ("student,name\nada,Adè\n".encode("latin-1"), "cannot be read as UTF-8 text"),
+        ("student,name\nada,Ada\n".encode("utf-16"), "cannot be read as UTF-8 text"),
+    ],
+)
+def test_a_roster_that_cannot_be_meant_is_refused_with_what_and_where(tmp_path, text, words):
+    with pytest.raises(CourseError) as error:
+        roster(tmp_path, text)
+    assert str(error.value).startswith(str(tmp_path / "roster.csv"))
+    assert words in str(error.value)
+
+
+def test_a_roster_without_students_is_empty(tmp_path):
+    assert roster(tmp_path, "student,name\n") == []

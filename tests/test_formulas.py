@@ -1,0 +1,41 @@
+"""Numbers, matrices and formulas are printed as a textbook would."""
+
+import numpy as np
+import pytest
+import sympy
+from kinegrade.course.formulas import closed_form, given_number, matrix, number, page_text
+
+
+@pytest.mark.parametrize(("value", "text"), [(1.23456, "1.235"), (-0.0001, "0.000"), (-0.0, "0.000"), (-2, "-2.000")])
+def test_a_number_has_the_asked_decimals_and_no_minus_before_zero(value, text):
+    assert number(value, 3) == text
+
+
+def test_vectors_are_columns_and_stacks_stand_side_by_side():
+    assert matrix([1, 2], 0) == r"\begin{bmatrix} 1 \\ 2 \end{bmatrix}"
+    assert matrix(np.eye(2), 0) == r"\begin{bmatrix} 1 & 0 \\ 0 & 1 \end{bmatrix}"
+    assert matrix(np.zeros((2, 1, 1)), 0).count("bmatrix") == 4
+    assert matrix(0.5, 1) == "0.5"
+
+
+def test_closed_forms_use_the_shorthand_of_the_course():
+    q1, q2, q3, a2 = sympy.symbols("q1 q2 q3 a2", real=True)
+    assert closed_form(a2 * sympy.cos(q1) * sympy.sin(q2 + q3)) == r"a_{2} c_{1} s_{23}"
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "units", "text"),
+    [
+        ("d1", 0.5, "m", r"d_1 = 0.5\,\mathrm{m}"),
+        ("q", [0.1, 0.2], ["rad", "rad"], r"\mathbf{q} = (0.1,\; 0.2)\,\mathrm{rad}"),
+        ("q", [0.1, 0.2], ["rad", "m"], r"\mathbf{q} = (0.1\,\mathrm{rad},\; 0.2\,\mathrm{m})"),
+    ],
+)
+def test_given_numbers_carry_their_units(name, value, units, text):
+    assert given_number(name, value, units) == text
+
+
+def test_page_text_is_mathml_and_code_and_everything_else_is_escaped():
+    html = page_text(r"<b>x</b> & $\mathbf{J}$ and `<i>`")
+    assert html.startswith("&lt;b&gt;x&lt;/b&gt; &amp; <math")
+    assert html.endswith("<code>&lt;i&gt;</code>")
