@@ -15,4 +15,4 @@ def no_formula(text: str) -> str:
 
 def no_markup(text: str) -> str:
     """Text without what Markdown or HTML would read as markup."""
-    return "".join(char for char in printable(text) if char not in MARKUP)
+    return " ".join("".join(char for char in printable(text) if char not in MARKUP).split())

@@ -3,6 +3,7 @@
 
 import hashlib
 from collections.abc import Iterator, Sequence
+from html import escape
 from importlib.resources import files
 from typing import Any
 
@@ -20,7 +21,7 @@ from .formulas import closed_form, given_number, matrix
 
 Pair = tuple[Exercise, dict[str, Any]]
 """An exercise and the numbers drawn for the student."""
-WIDTH = 420  # of a figure on the page, in pixels; the PNG has twice as many
+WIDTH = 380  # of a figure on the page, in pixels; the PNG has twice as many
 KEY = "kinegrade"
 SELF_CHECK = "## Self-check\n\nRun this cell at any time. It sees what is there, not whether it is right."
 
@@ -76,7 +77,8 @@ def answer_code(part: Part, answer: Any) -> str:
         rows = ",\n".join(f"    {[str(cell) for cell in row]!r}" for row in answer.rows)
         return f"{part.variable} = [\n{rows},\n]"
     rounded = np.round(np.asarray(answer), 9) + 0.0
-    return f"{part.variable} = np.array({np.array2string(rounded, separator=', ', threshold=10_000)})"
+    start = f"{part.variable} = np.array("
+    return f"{start}{np.array2string(rounded, precision=9, separator=', ', threshold=10_000, prefix=start)})"
 
 
 def worked_steps(part: Part, v: dict[str, Any], answers: dict[str, Any]) -> Iterator[str]:
@@ -100,7 +102,7 @@ def _heading(course: str, sheet: Sheet, student: Student, pairs: Sequence[Pair])
     lines = [
         f"# {sheet.title or sheet.name}",
         (
-            f"{course} · sheet `{sheet.name}` · **{no_markup(student.name)}** (`{student.id}`) · {_points(points)} · "
+            f"{course} · sheet `{sheet.name}` · **{no_markup(student.name) or student.id}** (`{student.id}`) · {_points(points)} · "
             f"about {minutes} minutes"
         ),
         (
@@ -124,7 +126,7 @@ def _question(number: int, exercise: Exercise, v: dict[str, Any]) -> str:
         f"*{' '.join(exercise.objectives)}*" if exercise.objectives else "",
         exercise.statement(v),
         f"**Your numbers:** {given}",
-        *(_figure(drawing) for drawing in exercise.drawings(v)),
+        *_figures(exercise.drawings(v)),
     )
     return "\n\n".join(part for part in parts if part)
 
@@ -133,10 +135,17 @@ def _points(points: float) -> str:
     return f"{points:g} point" if points == 1 else f"{points:g} points"
 
 
-def _figure(drawing: Drawing) -> str:
-    """The drawing as a PNG data URI: attachments are not shown everywhere."""
-    image = png(draw(drawing, WIDTH), 2 * WIDTH)
-    return f'<img src="{data_uri(image)}" alt="{drawing.alt}" width="{WIDTH}">\n\n*{drawing.caption}*'
+def _figures(drawings: Sequence[Drawing]) -> tuple[str, ...]:
+    """A table of drawings over their captions, as PNG data URIs: attachments are not shown everywhere."""
+    if not drawings:
+        return ()
+    images = [
+        f'<img src="{data_uri(png(draw(drawing, WIDTH), 2 * WIDTH))}" alt="{escape(drawing.alt)}" width="{WIDTH}">'
+        for drawing in drawings
+    ]
+    captions = [f"*{drawing.caption}*" for drawing in drawings]
+    rows = [f"| {' | '.join(cells)} |" for cells in (images, [":-:"] * len(images), captions)]
+    return ("\n".join(rows),)
 
 
 def _prompt(part: Part, *, hints: bool) -> str:

@@ -137,7 +137,7 @@ def explain_jacobian(v: Variant, given: Given) -> list[Step]:
 def drawings(v: Variant) -> tuple[Drawing, ...]:
     home = (0.0, 0.0, v["q"][2])
     return (
-        _drawing(v, home, "Home pose: q1 = q2 = 0. Arrows show the positive sense of each joint.", with_lengths=True),
+        _drawing(v, home, "Home pose, q1 = q2 = 0, with the positive sense of each joint.", with_lengths=True),
         _drawing(v, tuple(v["q"]), "The same robot at your q.", with_lengths=False),
     )
 

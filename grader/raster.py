@@ -5,6 +5,8 @@ from functools import cache
 from threading import Lock
 from typing import TYPE_CHECKING, cast
 
+from ..solutions.errors import KinegradeError
+
 if TYPE_CHECKING:
     from typst import Compiler
 
@@ -26,11 +28,11 @@ def png(svg: str, width: int) -> bytes:
     """A white-backed PNG, `width` pixels wide, with byte-identical output for identical input.
 
     Raises:
-        ValueError: `width` is no positive whole number.
+        KinegradeError: `width` is less than a pixel.
         typst.TypstError: `svg` cannot be read.
     """
     if width < 1:
-        raise ValueError(f"png takes a width of at least 1 pixel, got {width}")
+        raise KinegradeError(f"width takes 1 pixel or more, got {width}")
     with _one_at_a_time:
         # At 72 pixels per inch a point is a pixel; a document of one page comes back as its bytes.
         drawn = _compiler().compile(PAGE, format="png", ppi=72.0, sys_inputs={"svg": svg, "width": str(width)})

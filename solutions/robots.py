@@ -43,8 +43,8 @@ class Robot:
     """Rows of formulas in named parameters [m] and joints q1 ... qn [rad, m].
 
     `rows` are the cells theta, d, a, alpha of a table, or, with convention "frames", the steps that lead from one
-    joint's frame to the next, each ending in the joint's own ("Rz", "q1") or ("Tz", "q1"). `task_rows` are the rows of
-    J whose determinant has `factors`, up to a constant.
+    joint's frame to the next, each ending in the joint's own ("Rz", "q1") or ("Tz", "q1 + l1"). `task_rows` are the
+    rows of J whose determinant has `factors`, up to a constant.
     """
 
     name: str
@@ -85,7 +85,7 @@ class Robot:
         """Denavit-Hartenberg table; RobotError for hand-placed frames."""
         if self.convention == "frames":
             raise RobotError(
-                f"table takes a robot with a Denavit-Hartenberg table, got {self.name}: hand-placed frames"
+                f"table takes a robot with a Denavit-Hartenberg table, got {self.name} with hand-placed frames"
             )
         return read_table([[str(cell) for cell in row] for row in self.rows], self.names, self.convention)
 
@@ -149,7 +149,12 @@ class Robot:
         tool = _transform(self.tool_steps, values)
         if self.convention != "frames":
             return self.table.chain(values, tool)
-        return from_frames(np.array([_transform(steps[:-1], values) for steps in self.steps]), self.kinds, tool)
+        home = {**values, **dict.fromkeys(self.joints, 0.0)}
+        offsets = [np.eye(4), *(_transform(steps[-1:], home) for steps in self.steps)]
+        placements = [
+            offset @ _transform(steps[:-1], values) for offset, steps in zip(offsets, self.steps, strict=False)
+        ]
+        return from_frames(np.array(placements), self.kinds, offsets[-1] @ tool)
 
     def _motions(self, steps: Sequence[Step]) -> tuple[tuple[str, Expression], ...]:
         return tuple((motion, parse(amount, self.names)) for motion, amount in steps)

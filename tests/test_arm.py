@@ -14,20 +14,11 @@ import numpy as np
 import pytest
 from kinegrade.exercises.drawing import Dimension, Drawing, Point, Triad
 from kinegrade.grader.arm import compose, draw, pose, symbol_of
+from kinegrade.grader.depth import Array, by_depth, outside, tube_planes
+from kinegrade.grader.labels import SIZE, SUB, place, text_width
+from kinegrade.grader.pose import camera
 from kinegrade.grader.raster import data_uri, png
-from kinegrade.grader.scene import (
-    SIZE,
-    SUB,
-    Array,
-    Scene,
-    by_depth,
-    camera,
-    outside,
-    place,
-    text_width,
-    text_xml,
-    tube_planes,
-)
+from kinegrade.grader.scene import Scene, text_xml
 from kinegrade.solutions.chain import Chain, elementary, from_frames, from_standard
 from kinegrade.solutions.errors import KinegradeError
 from kinegrade.solutions.kinematics import forward
@@ -149,7 +140,7 @@ def test_arrows_are_there_when_asked_for(name: str) -> None:
 @each_drawing
 def test_labels_keep_clear_of_one_another_and_inside_the_picture(name: str, width: float) -> None:
     scene = compose(DRAWINGS[name], width)
-    boxes = [label.box for label in place(scene)]
+    boxes = [label.box for label in place(scene.labels, scene.ink, scene.width)]
     for a, b in combinations(boxes, 2):
         assert a[0] >= b[2] or b[0] >= a[2] or a[1] >= b[3] or b[1] >= a[3]
     x, y, wide, high = map(float, root_of(scene.svg("", "")).get("viewBox", "").split())
@@ -313,7 +304,7 @@ def test_the_png_has_the_width_asked_for_and_the_same_bytes_twice(width: int) ->
 
 
 def test_a_png_without_width_is_refused_with_a_sentence() -> None:
-    with pytest.raises(ValueError, match="at least 1 pixel, got 0"):
+    with pytest.raises(KinegradeError, match="width takes 1 pixel or more, got 0"):
         png("<svg/>", 0)
 
 

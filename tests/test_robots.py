@@ -112,6 +112,26 @@ def test_hand_placed_frames_are_printed_from_the_first_joint_on():
     np.testing.assert_allclose(printed[:, :3, 3], p, rtol=0, atol=1e-14)
 
 
+def test_a_hand_placed_joint_may_have_an_offset():
+    arm = Robot(
+        name="offset",
+        title="Hand-placed frames with offsets",
+        parameters={"l1": 0.5},
+        rows=(
+            (("Tz", "1"), ("Rz", "q1 + pi/3")),
+            (("Rx", "pi/2"), ("Tz", "l1 + q2")),
+            (("Ty", "l1"), ("Rz", "q3 - 1")),
+        ),
+        convention="frames",
+        tool=(("Tx", "0.2"),),
+        limits=((-1, 1), (0.1, 1), (-1, 1)),
+        source="chosen here",
+    )
+    q = [0.3, 0.4, 0.5]
+    assert arm.kinds == "RPR"
+    np.testing.assert_allclose(forward(arm.chain(), q), arm.frames({}, q)[-1], rtol=0, atol=1e-15)
+
+
 @every
 def test_limits_and_provenance_are_stated(arm: Robot):
     assert len(arm.limits) == arm.n
