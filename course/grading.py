@@ -3,8 +3,9 @@
 import hashlib
 import logging
 import os
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Generator, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
+from contextlib import closing
 from dataclasses import dataclass, replace
 from importlib.metadata import version
 from typing import Any
@@ -110,9 +111,10 @@ class SheetMarker:
                 step()
             else:
                 todo.append(found)
-        for work, raws in self._collected(todo):
-            done[work.student.id] = self._mark(work, raws)
-            step()
+        with closing(self._collected(todo)) as collected:  # also when Ctrl-C comes between two
+            for work, raws in collected:
+                done[work.student.id] = self._mark(work, raws)
+                step()
         return [done[student.id] for student in self.course.students]
 
     def _look(self, student: Student) -> Result | _Work:
@@ -151,7 +153,7 @@ class SheetMarker:
     def _parts(self) -> Iterator[Any]:
         return (part for exercise in self.exercises for part in exercise.asked)
 
-    def _collected(self, todo: Sequence[_Work]) -> Iterator[tuple[_Work, dict[str, Raw] | Exception]]:
+    def _collected(self, todo: Sequence[_Work]) -> Generator[tuple[_Work, dict[str, Raw] | Exception]]:
         """Raw values as they come in; notebooks run side by side, each in a process of its own."""
         asks = [Ask(part.variable) for part in self._parts()]
         with ThreadPoolExecutor(max_workers=os.cpu_count() or 1) as pool:
@@ -161,7 +163,7 @@ class SheetMarker:
                     error = future.exception()
                     yield futures[future], future.result() if error is None else _plain(error)
             finally:
-                pool.shutdown(cancel_futures=True)  # stopped on the way, it does not run the rest of the class
+                pool.shutdown()  # stopped on the way, it does not run the rest of the class
 
     def _mark(self, work: _Work, raws: dict[str, Raw] | Exception) -> Result:
         try:

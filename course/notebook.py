@@ -102,8 +102,8 @@ def _heading(course: str, sheet: Sheet, student: Student, pairs: Sequence[Pair])
     lines = [
         f"# {sheet.title or sheet.name}",
         (
-            f"{course} · sheet `{sheet.name}` · **{no_markup(student.name) or student.id}** (`{student.id}`) · {_points(points)} · "
-            f"about {minutes} minutes"
+            f"{course} · sheet `{sheet.name}` · **{no_markup(student.name) or student.id}** (`{student.id}`) · "
+            f"{_points(points)} · about {minutes} minutes"
         ),
         (
             "The numbers on this sheet are yours alone. Replace each `...` by your answer and keep the names of the "

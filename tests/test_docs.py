@@ -1,0 +1,79 @@
+"""What README and docs show is run, and what they point to is there."""
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+from answers import raws
+from kinegrade.course.config import read_course, write_course
+from kinegrade.course.demo import fill_in
+from kinegrade.course.gradebook import Gradebook
+from kinegrade.course.grading import SheetMarker
+from kinegrade.course.notebook import answer_code
+from kinegrade.course.sheets import exercises_of, generate
+from kinegrade.exercises.exercise import references
+from kinegrade.grader.mark import mark
+
+ROOT = Path(__file__).parent.parent
+PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
+
+
+def blocks(page, language):
+    return re.findall(rf"```{language}\n(.*?)```", page.read_text(encoding="utf-8"), re.DOTALL)
+
+
+def test_the_python_of_the_readme_prints_the_twist_of_the_puma(capsys):
+    for block in blocks(ROOT / "README.md", "python"):
+        exec(block, {})  # noqa: S102 - our own page
+    assert capsys.readouterr().out == "[-1.2889  0.0233 -0.1734  0.3338 -3.2993  1.3648]\n"
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_every_link_and_picture_is_there(page):
+    targets = re.findall(r"\]\(([^)#:]+)\)", page.read_text(encoding="utf-8"))
+    assert [target for target in targets if not (page.parent / target).exists()] == []
+
+
+@pytest.mark.parametrize("command", ["init", "generate", "grade", "check", "plot"])
+def test_every_command_of_the_readme_exists(command):
+    from kinegrade.course import cli
+
+    assert f"kinegrade {command}" in (ROOT / "README.md").read_text(encoding="utf-8")
+    assert command in [registered.callback.__name__ for registered in cli.app.registered_commands]
+
+
+def test_the_exercise_of_the_docs_is_released_solved_and_marked(tmp_path):
+    page = ROOT / "docs" / "add_an_exercise.md"
+    write_course(tmp_path)
+    (tmp_path / "exercises").mkdir()
+    (tmp_path / "exercises" / "tip_speed.py").write_text(blocks(page, "python")[0], encoding="utf-8")
+    settings = tmp_path / "course.toml"
+    settings.write_text(settings.read_text(encoding="utf-8") + blocks(page, "toml")[0], encoding="utf-8")
+    course = read_course(tmp_path)
+    (sheet,) = course.sheets(("extra",))
+    (exercise,) = exercises_of(course, sheet)
+    with Gradebook(tmp_path / "gradebook.sqlite") as gradebook:
+        first, second = generate(course, gradebook, (sheet,))
+        records = {record.student: record for record in gradebook.records("extra")}
+        for released, wrong in ((first, False), (second, True)):
+            answers = references(exercise, records[released.student].numbers)
+            if wrong:
+                answers["tip_speed_J"] = answers["tip_speed_J"] * [1, -1]
+            code = {part.variable: answer_code(part, answers[part.variable]) for part in exercise.asked}
+            submitted = tmp_path / "submitted" / released.student / "extra.ipynb"
+            submitted.parent.mkdir(parents=True)
+            submitted.write_bytes(fill_in(released.path.read_bytes(), code))
+        results = SheetMarker(course, gradebook, sheet).results()
+    assert [result.points for result in results] == [3, 2]
+
+
+def test_the_exercise_of_the_docs_gives_zeros_nothing(tmp_path):
+    from kinegrade.exercises.catalogue import load
+
+    path = tmp_path / "tip_speed.py"
+    path.write_text(blocks(ROOT / "docs" / "add_an_exercise.md", "python")[0], encoding="utf-8")
+    exercise = load(path)
+    v = exercise.draw(np.random.default_rng(0))
+    zeros = {"tip_speed_J": np.zeros((2, 2)), "tip_speed_v": np.zeros(2)}
+    assert sum(verdict.points or 0 for verdict in mark(exercise, v, raws(zeros))) == 0
