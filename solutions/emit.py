@@ -1,20 +1,24 @@
 """From a traced program to functions: plain math for one configuration, rows in place for batches."""
 
 import math
+import struct
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from .chain import Array, Chain
-from .program import Program, Signed, Sum, Wanted, trace
+from .program import Program, Signed, Wanted, trace
 
-BLOCK = 2048  # configurations per block: the rows of one block stay in the cache
+DOUBLE = np.dtype(np.float64)
+BLOCK = 6144  # configurations per block: a numpy call costs as much as 1000 products, 16384 rows leave the cache
+PAD = 8  # numbers between rows: at a distance of a power of two they would all share a few lines of the cache
+FEW = 12  # up to so many configurations, plain math one by one is faster than rows
 SYMBOLS = {"multiply": "*", "add": "+", "subtract": "-"}
 
-
-Trig = Callable[[Array, Array, Array], None]  # angle in, cosine and sine out
+Trig = Callable[[Array, Array, Array], None]  # angle in, cosine and sine out; the sine may take the angle's place
 
 
 @dataclass(frozen=True)
@@ -26,15 +30,39 @@ class Compiled:
     rows: Callable[[Array, Array], None]
 
 
+class Kernel(NamedTuple):
+    """`run` takes a block of q, the cosines, the sines and every row of them, of the outputs and of scratch."""
+
+    run: Callable[..., None]
+    angles: int
+    scratch: int
+
+
 def evaluate(chain: Chain, wanted: Wanted, q: Array, out: Array | None = None) -> Array:
     """Values of shape (..., *shape) of a program of the chain at validated q (..., n), in `out` if given."""
-    functions = compiled(chain, wanted)
+    functions: Compiled = chain.compiled.get(wanted) or compiled(chain, wanted)
     if q.ndim == 1 and out is None:
         return functions.single(q.tolist())
-    shape = (*q.shape[:-1], *functions.shape)
-    result = np.empty(shape) if out is None else out
-    functions.rows(q.reshape(-1, chain.n), result.reshape(-1, math.prod(functions.shape)))
+    result = np.empty((*q.shape[:-1], *functions.shape)) if out is None else out
+    batch = q.reshape(-1, chain.n)
+    if len(batch) > FEW:
+        functions.rows(batch, result.reshape(-1, math.prod(functions.shape)))
+    else:
+        for place, values in zip(result.reshape(-1, *functions.shape), batch.tolist(), strict=True):
+            place[...] = functions.single(values)
     return result
+
+
+def plain(chain: Chain, wanted: Wanted, q: ArrayLike) -> Array | None:
+    """Value at one configuration that is a finite float64 array (n,), once the program is compiled; else None.
+
+    The plain call of an iteration: what would be None may be right or wrong, and is looked at with more care.
+    """
+    if type(q) is not np.ndarray or q.dtype is not DOUBLE or q.shape != (len(chain.kinds),):
+        return None
+    functions: Compiled | None = chain.compiled.get(wanted)
+    values = q.tolist()
+    return functions.single(values) if functions and math.isfinite(sum(values)) else None
 
 
 def compiled(chain: Chain, wanted: Wanted) -> Compiled:
@@ -52,47 +80,29 @@ def single(program: Program) -> Callable[[list[float]], Array]:
     lines = [f"  {', '.join(f'q{i}' for i in range(len(program.kinds)))}, = q"]
     for index in used_angles(program):
         angle = "".join(f"{'+' if sign > 0 else '-'}q{joint}" for sign, joint in program.angles[index])
-        lines += [f"  a = {angle}", f"  c{index} = cos(a)", f"  s{index} = sin(a)"]
+        shift = f" + {program.shifts[index]!r}" if program.shifts[index] else ""
+        lines += [f"  a = {angle}{shift}", f"  c{index} = cos(a)", f"  s{index} = sin(a)"]
     lines += [f"  {s.target} = {s.left} {SYMBOLS[s.operation]} {s.right}" for s in program.steps]
     outputs = [f"{'-' * x.negative}{x.name}" if isinstance(x, Signed) else repr(x) for x in program.outputs]
-    lines += [f"  return array(({', '.join(outputs)},)).reshape({program.shape})"]
-    names = {"cos": math.cos, "sin": math.sin, "array": np.array}
-    return _function("single(q)", lines, names)
-
-
-def rows(program: Program, trig: Trig | None = None) -> Callable[[Array, Array], None]:
-    """Function of a batch q (N, n) that fills out (N, outputs), one block of rows at a time."""
-    kernel, buffers = _kernel(program)
-    angles = [(index, program.angles[index]) for index in used_angles(program)]
-    constants = [(i, x) for i, x in enumerate(program.outputs) if isinstance(x, float)]
-    turn = trig or half_angle
-
-    def fill(q: Array, out: Array) -> None:
-        # every call has its own buffers, so that threads may share a chain
-        width = min(BLOCK, len(q))
-        columns, values = np.empty((q.shape[1], width)), np.empty((out.shape[1], width))
-        scratch, cosines = np.empty((buffers, width)), np.empty((len(program.angles), width))
-        sines = np.empty_like(cosines)
-        for index, constant in constants:
-            values[index] = constant
-        for start in range(0, len(q), BLOCK):
-            m = min(BLOCK, len(q) - start)
-            columns[:, :m] = q[start : start + m].T
-            for index, angle in angles:
-                turn(_sum(angle, columns[:, :m], sines[index, :m]), cosines[index, :m], sines[index, :m])
-            kernel(columns[:, :m], cosines[:, :m], sines[:, :m], values[:, :m], scratch[:, :m])
-            out[start : start + m] = values[:, :m].T
-
-    return fill
+    # packing floats into an empty array costs half of np.array(...).reshape(...)
+    lines += [f"  out = empty({program.shape})", f"  pack(out, 0, {', '.join(outputs)})", "  return out"]
+    pack = struct.Struct(f"{len(outputs)}d").pack_into
+    return _function("single(q)", lines, {"cos": math.cos, "sin": math.sin, "empty": np.empty, "pack": pack})
 
 
 def half_angle(angle: Array, cosine: Array, sine: Array) -> None:
-    """Cosine and sine from t = tan(angle / 2), to 5e-16: numpy's tan costs a fifth of its sin."""
-    t = np.tan(angle * 0.5)
-    np.multiply(t, t, cosine)
+    """Cosine and sine from t = tan(angle / 2), to 4e-16 at every finite angle: numpy's tan costs a sixth of its sin.
+
+    Near +-pi, where t grows beyond bounds, nothing is lost: with a relative error e of t the cosine is wrong by
+    sin(angle)^2 e and the sine by sin(angle) cos(angle) e, never by more than e. numpy's tan has e < 4e-16 wherever
+    the angle lies, and no float is so near to pi / 2 that t^2 overflows; so there is nothing to reduce beforehand.
+    """
+    np.multiply(angle, 0.5, sine)
+    np.tan(sine, sine)
+    np.multiply(sine, sine, cosine)
     np.add(cosine, 1.0, cosine)
     np.divide(2.0, cosine, cosine)
-    np.multiply(t, cosine, sine)
+    np.multiply(sine, cosine, sine)
     np.subtract(cosine, 1.0, cosine)
 
 
@@ -102,6 +112,35 @@ def direct(angle: Array, cosine: Array, sine: Array) -> None:
     np.sin(angle, sine)
 
 
+def rows(program: Program, trig: Trig = half_angle) -> Callable[[Array, Array], None]:
+    """Function of a batch q (N, n) that fills C-contiguous out (N, outputs), one block of rows at a time."""
+    kernel, outputs = _kernel(program, trig), len(program.outputs)
+    constants = [(i, x) for i, x in enumerate(program.outputs) if isinstance(x, float)]
+
+    def fill(q: Array, out: Array) -> None:
+        # every call has its own rows, so that threads may share a chain
+        width = max(1, min(BLOCK, len(q)))
+        memory = np.empty((2 * kernel.angles + kernel.scratch, width + PAD))
+        # neighbours in the output stand side by side: moved as one complex number they cost half
+        pairs = np.empty((outputs // 2, width + PAD, 2))
+        values = [pairs[i // 2, :, i % 2] for i in range(outputs)]
+        for index, constant in constants:
+            values[index][:] = constant
+        result, moved = out.view(np.complex128), pairs.view(np.complex128)[..., 0].T
+        views, m = list[Array](), 0
+        for start in range(0, len(q), width):
+            block = q[start : start + width]
+            if len(block) != m:  # a view costs as much as 300 products: made for whole blocks, and for the last
+                m = len(block)
+                part = memory[:, :m]
+                cosines, sines = part[: kernel.angles], part[kernel.angles : 2 * kernel.angles]
+                views = [cosines, sines, *part, *(row[:m] for row in values)]
+            kernel.run(block, *views)
+            result[start : start + m] = moved[:m]
+
+    return fill
+
+
 def used_angles(program: Program) -> list[int]:
     """Indices of the angles whose cosine or sine the program reads."""
     read = {x for step in program.steps for x in (step.left, step.right)}
@@ -109,45 +148,61 @@ def used_angles(program: Program) -> list[int]:
     return [i for i in range(len(program.angles)) if f"c{i}" in read or f"s{i}" in read]
 
 
-def _sum(angle: Sum, columns: Array, spare: Array) -> Array:
-    (sign, joint), *others = angle  # the first sign is positive: the trace sees to it
-    if not others:
-        return columns[joint]
-    np.copyto(spare, columns[joint])
-    for sign, joint in others:
-        (np.add if sign > 0 else np.subtract)(spare, columns[joint], spare)
-    return spare
+def _kernel(program: Program, trig: Trig) -> Kernel:
+    """In-place numpy calls: the angles into the sines' rows, their cosines and sines, the steps, the outputs."""
+    angles, (steps, scratch) = used_angles(program), _steps(program)
+    lines = _sums(program, angles)
+    lines += ["  turn(sines, cosines, sines)"] * bool(angles)
+    names = [f"{letter}{i}" for letter in "cs" for i in angles] + [f"x{i}" for i in range(scratch)]
+    names += [f"o{i}" for i in range(len(program.outputs))]
+    functions = {"multiply": np.multiply, "add": np.add, "subtract": np.subtract, "turn": trig}
+    functions |= {"negative": np.negative, "copy": np.positive}
+    signature = f"kernel(q, cosines, sines, {', '.join(names)})"
+    return Kernel(_function(signature, [*lines, *steps, "  pass"], functions), len(angles), scratch)
 
 
-def _kernel(program: Program) -> tuple[Callable[..., None], int]:
-    """In-place numpy calls of the steps; scratch rows are used again as soon as their value is dead."""
+def _sums(program: Program, angles: list[int]) -> list[str]:
+    lines = list[str]()
+    for index in angles:
+        (_, joint), *others = program.angles[index]  # the first sign is positive: the trace sees to it
+        total = f"q[:, {joint}]"
+        terms = [("add" if sign > 0 else "subtract", f"q[:, {other}]") for sign, other in others]
+        terms += [("add", repr(program.shifts[index]))] * bool(program.shifts[index])
+        for operation, term in terms:
+            lines.append(f"  {operation}({total}, {term}, s{index})")
+            total = f"s{index}"
+        if not terms:
+            lines.append(f"  copy({total}, s{index})")
+    return lines
+
+
+def _steps(program: Program) -> tuple[list[str], int]:
+    """Calls of the steps and outputs; scratch rows are used again as soon as their value is dead."""
     where, last = _places(program), _last_uses(program)
     free, count, lines = list[str](), 0, list[str]()
     for i, step in enumerate(program.steps):
-        left, right = (where.get(x, _operand(x)) for x in (step.left, step.right))
+        left, right = (where.get(x, str(x)) for x in (step.left, step.right))
         for x in {step.left, step.right}:
-            if last[x] == i and where.get(x, "").startswith("scratch"):
+            if last[x] == i and where.get(x, "").startswith("x"):
                 free.append(where[x])
         if step.target not in where:
             if not free:
-                free.append(f"scratch[{count}]")
+                free.append(f"x{count}")
                 count += 1
             where[step.target] = free.pop()
         lines.append(f"  {step.operation}({left}, {right}, {where[step.target]})")
     for i, x in enumerate(program.outputs):
-        if isinstance(x, Signed) and where.get(x.name) != f"out[{i}]":
-            lines.append(f"  {'negative' if x.negative else 'copy'}({where.get(x.name, _operand(x.name))}, out[{i}])")
-    names = {"multiply": np.multiply, "add": np.add, "subtract": np.subtract}
-    names |= {"negative": np.negative, "copy": np.positive}
-    return _function("kernel(q, c, s, out, scratch)", lines or ["  pass"], names), count
+        if isinstance(x, Signed) and where.get(x.name) != f"o{i}":
+            lines.append(f"  {'negative' if x.negative else 'copy'}({where.get(x.name, x.name)}, o{i})")
+    return lines, count
 
 
 def _places(program: Program) -> dict[str | float, str]:
-    """Registers that are written straight into their output row."""
-    places = dict[str | float, str]()
+    """Joint values, read where they stand, and registers that are written straight into their output row."""
+    places: dict[str | float, str] = {f"q{joint}": f"q[:, {joint}]" for joint in range(len(program.kinds))}
     for i, x in enumerate(program.outputs):
         if isinstance(x, Signed) and not x.negative and x.name.startswith("r"):
-            places.setdefault(x.name, f"out[{i}]")
+            places.setdefault(x.name, f"o{i}")
     return places
 
 
@@ -156,10 +211,6 @@ def _last_uses(program: Program) -> dict[str | float, int]:
     for i, step in enumerate(program.steps):
         last |= {step.left: i, step.right: i}
     return last | {x.name: len(program.steps) for x in program.outputs if isinstance(x, Signed)}
-
-
-def _operand(x: str | float) -> str:
-    return f"{x[0]}[{x[1:]}]" if isinstance(x, str) else repr(x)
 
 
 def _function(signature: str, lines: list[str], names: dict[str, Any]) -> Callable[..., Any]:

@@ -1,31 +1,75 @@
-"""The geometric Jacobian of a chain."""
+"""The geometric Jacobian of a chain.
+
+What others call it: `jacobian(chain, q)` is roboticstoolbox's `jacob0` and Pinocchio's LOCAL_WORLD_ALIGNED, frame
+"tool" is `jacobe` and LOCAL, point "origin" is Pinocchio's WORLD. modern_robotics has the angular rows on top: its
+`JacobianSpace` is point "origin" and its `JacobianBody` frame "tool", with the rows 3, 4, 5, 0, 1, 2.
+"""
 
 from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .chain import Array, Chain, ChainError, configuration
-from .emit import evaluate
+from .chain import Array, Chain, ChainError, configuration, reals
+from .emit import evaluate, plain
+from .rotation import rotations
 
 Frame = Literal["base", "tool"]
+Axes = Frame | Array  # of rotations (..., 3, 3)
+Point = Literal["origin"] | ArrayLike  # points (..., 3) in base coordinates
 
 
-def jacobian(chain: Chain, q: ArrayLike, frame: Frame = "base", out: Array | None = None) -> Array:
+def jacobian(
+    chain: Chain, q: ArrayLike, frame: Axes = "base", out: Array | None = None, *, point: Point | None = None
+) -> Array:
     """Jacobians (..., 6, n) at q (..., n): xi = J qdot, linear rows above angular.
 
     Column i is [z x (p - o); z] for a revolute and [z; 0] for a prismatic joint (S0, eq. 4.8 and 4.10). The twist is
     that of the tool point, in axes of the base or of the tool `frame`. Entries are in m/rad and 1 (revolute),
     1 and 0 (prismatic). With `out`, a C-contiguous float64 array of that shape, the result is written there.
-    Raises ChainError.
+
+    `frame` may also be rotations (..., 3, 3) whose columns are the wanted axes in base coordinates, and `point`
+    another point that moves with the tool: coordinates (..., 3) in the base [m], or "origin", that of the base.
+    Both broadcast with q. Raises ChainError.
     """
+    if out is None and point is None and isinstance(frame, str) and frame in ("base", "tool"):
+        known = plain(chain, frame, q)
+        if known is not None:
+            return known
     values = configuration(chain.n, q)
+    if point is not None or not isinstance(frame, str):
+        J = _elsewhere(chain, values, frame, point)
+        return J if out is None else _copied(J, out)
     if frame not in ("base", "tool"):
         raise ChainError(f"frame takes 'base' or 'tool', got {frame!r}")
-    shape = (*values.shape[:-1], 6, chain.n)
-    if out is not None and not (out.shape == shape and out.dtype == np.float64 and out.flags.c_contiguous):
-        raise ChainError(f"out takes C-contiguous float64 of shape {shape}, got {out.dtype} of shape {out.shape}")
+    if out is not None:
+        _check_out((*values.shape[:-1], 6, chain.n), out)
     return evaluate(chain, frame, values, out)
+
+
+def in_axes(J: ArrayLike, rotation: ArrayLike) -> Array:
+    """J (..., 6, n) in other axes: both blocks times R^T, where the columns of `rotation` (..., 3, 3) are the new axes.
+
+    The rotation is given in the axes J is in; the point stays. Twists (..., 6) go as twists[..., None].
+    Raises ChainError.
+    """
+    columns, R = _six_rows(J), rotations("rotation", rotation)
+    _check_batch("rotation", R.shape[:-2], columns)
+    return np.concatenate([R.mT @ columns[..., :3, :], R.mT @ columns[..., 3:, :]], axis=-2)
+
+
+def at_point(J: ArrayLike, offset: ArrayLike) -> Array:
+    """J (..., 6, n) of the point of the tool that lies `offset` (..., 3) [m] from the present one: v + w x offset.
+
+    The offset is given in the axes J is in; the axes stay. Twists (..., 6) go as twists[..., None].
+    Raises ChainError.
+    """
+    columns, r = _six_rows(J), reals("offset", offset)
+    if r.shape[-1:] != (3,):
+        raise ChainError(f"offset takes shape (..., 3), got {r.shape}")
+    _check_batch("offset", r.shape[:-1], columns)
+    moved = columns[..., :3, :] + np.cross(columns[..., 3:, :], r[..., None], axis=-2)
+    return np.concatenate([moved, np.broadcast_to(columns[..., 3:, :], moved.shape)], axis=-2)
 
 
 def last_frame_columns(transforms: ArrayLike, kinds: str) -> Array:
@@ -44,3 +88,52 @@ def last_frame_columns(transforms: ArrayLike, kinds: str) -> Array:
     prismatic = np.concatenate([z, np.zeros_like(z)], axis=1)
     turns = np.array([kind == "R" for kind in kinds])[:, None]
     return np.ascontiguousarray(np.where(turns, revolute, prismatic).T)
+
+
+def _elsewhere(chain: Chain, q: Array, frame: Axes, point: Point | None) -> Array:
+    if isinstance(frame, str) and frame not in ("base", "tool"):
+        raise ChainError(f"frame takes 'base' or 'tool', got {frame!r}")
+    J, T = evaluate(chain, "base", q), evaluate(chain, "pose", q)
+    shifted = J if point is None else at_point(J, _place(point, J) - T[..., :3, 3])
+    if isinstance(frame, str):
+        return in_axes(shifted, T[..., :3, :3]) if frame == "tool" else shifted
+    R = rotations("frame", frame)
+    _check_batch("frame", R.shape[:-2], shifted)
+    return in_axes(shifted, R)
+
+
+def _place(point: Point, J: Array) -> Array:
+    if isinstance(point, str):
+        if point != "origin":
+            raise ChainError(f"point takes 'origin' or coordinates (..., 3), got {point!r}")
+        return np.zeros(3)
+    place = reals("point", point)
+    if place.shape[-1:] != (3,):
+        raise ChainError(f"point takes 'origin' or coordinates (..., 3), got shape {place.shape}")
+    _check_batch("point", place.shape[:-1], J)
+    return place
+
+
+def _six_rows(J: ArrayLike) -> Array:
+    columns = reals("J", J)
+    if columns.ndim < 2 or columns.shape[-2] != 6:
+        raise ChainError(f"J takes shape (..., 6, n), got {columns.shape}")
+    return columns
+
+
+def _check_batch(name: str, batch: tuple[int, ...], J: Array) -> None:
+    try:
+        np.broadcast_shapes(batch, J.shape[:-2])
+    except ValueError:
+        raise ChainError(f"{name} takes a batch that fits {J.shape[:-2]}, got {batch}") from None
+
+
+def _check_out(shape: tuple[int, ...], out: Array) -> None:
+    if out.shape != shape or out.dtype != np.float64 or not out.flags.c_contiguous:
+        raise ChainError(f"out takes C-contiguous float64 of shape {shape}, got {out.dtype} of shape {out.shape}")
+
+
+def _copied(J: Array, out: Array) -> Array:
+    _check_out(J.shape, out)
+    np.copyto(out, J)
+    return out

@@ -8,11 +8,16 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
+from .polynomial import ONE, ZERO, Polynomial, polynomial, total
+
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Collection, Sequence
 
     from .expression import Expression
-    from .robots import Robot
+    from .robot import Robot
+
+Rows = tuple[tuple[Polynomial, ...], ...]
+IDENTITY: Rows = tuple(tuple(ONE if i == j else ZERO for j in range(3)) for i in range(3))
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,35 +34,43 @@ class ClosedForm:
     joints: tuple[sp.Symbol, ...]
 
 
-class _Turning:
+class Turning:
     """A frame whose rotation is base Rz(angle): the angles of parallel axes add before a cosine is taken."""
 
-    def __init__(self) -> None:
-        self.base, self.angle, self.p = sp.eye(3), sp.S.Zero, sp.zeros(3, 1)
+    def __init__(self, joints: Collection[sp.Symbol]) -> None:
+        self.joints = set(joints)
+        self.base, self.angle = IDENTITY, sp.S.Zero
+        self.p: tuple[Polynomial, ...] = (ZERO, ZERO, ZERO)
 
     @property
-    def rotation(self) -> sp.Matrix:
-        return (self.base * _rotation("z", self.angle)).applyfunc(sp.expand)
+    def rotation(self) -> Rows:
+        """Rows of the rotation."""
+        return times(self.base, rotation("z", self.angle)) if self.angle else self.base
 
-    @property
-    def frame(self) -> sp.Matrix:
-        return self.rotation.row_join(self.p).col_join(sp.Matrix([[0, 0, 0, 1]]))
+    def follow(self, steps: Sequence[tuple[str, Expression]]) -> None:
+        """Go on by elementary motions."""
+        for motion, amount in steps:
+            self.move(motion, amount.sympy())
 
-    def move(self, motion: str, amount: sp.Expr, joints: Iterable[sp.Symbol]) -> None:
+    def move(self, motion: str, amount: sp.Expr) -> None:
+        """Go on by one motion."""
+        if amount == 0:
+            return
         axis = "xyz".index(motion[1])
         if motion[0] == "T":
-            self.p = (self.p + self.rotation[:, axis] * amount).applyfunc(sp.expand)
+            length = polynomial(amount)
+            self.p = tuple(x + row[axis] * length for x, row in zip(self.p, self.rotation, strict=True))
         elif motion[1] == "z":
-            turning = sum((term for term in sp.Add.make_args(amount) if term.has(*joints)), sp.S.Zero)
-            self.base = self.base * _rotation("z", amount - turning)
+            turning = sum((term for term in sp.Add.make_args(amount) if term.free_symbols & self.joints), sp.S.Zero)
+            if amount != turning:
+                self.base = times(self.base, rotation("z", amount - turning))
             self.angle += turning
         else:
-            turn = _rotation(motion[1], amount)
+            turn = rotation(motion[1], amount)
             # half a turn about x or y only reverses the axis: Rz(s) F = F Rz(-s)
-            reverses, stays = turn[2, 2] == -1, turn[2, 2] == 1
-            self.base = (self.base if reverses or stays else self.rotation) * turn
-            self.angle = self.angle if stays else -self.angle if reverses else sp.S.Zero
-        self.base = self.base.applyfunc(sp.expand)
+            reverses = turn[2][2].terms == {(): -1}
+            self.base = times(self.base if reverses else self.rotation, turn)
+            self.angle = -self.angle if reverses else sp.S.Zero
 
 
 def closed_form(robot: Robot) -> ClosedForm:
@@ -68,28 +81,32 @@ def closed_form(robot: Robot) -> ClosedForm:
     """
     parameters = tuple(sp.Symbol(name, real=True) for name in robot.parameters)
     joints = tuple(sp.Symbol(name, real=True) for name in robot.joints)
-    state = _Turning()
-    reached = [state.frame]
+    state = Turning(joints)
+    state.follow(robot.base_steps)
+    reached = [(state.rotation, state.p)]
     for steps in robot.steps:
-        _follow(state, steps, joints)
-        reached.append(state.frame)
-    _follow(state, robot.tool_steps, joints)
-    frames = (*(reached[:-1] if robot.convention == "standard" else reached[1:]), state.frame)
-    p: Any = frames[-1][:3, 3]
+        state.follow(steps)
+        reached.append((state.rotation, state.p))
+    state.follow(robot.tool_steps)
+    axes = reached[:-1] if robot.convention == "standard" else reached[1:]
+    frames = tuple(_frame(R, p) for R, p in (*axes, (state.rotation, state.p)))
     columns = [
-        p.diff(q).col_join(frame[:3, 2] if kind == "R" else sp.zeros(3, 1))
-        for q, kind, frame in zip(joints, robot.kinds, frames[:-1], strict=True)
+        [x.diff(q) for x in state.p] + [row[2] if kind == "R" else ZERO for row in R]
+        for q, kind, (R, _) in zip(joints, robot.kinds, axes, strict=True)
     ]
-    printed = tuple(frame.applyfunc(shortest) for frame in frames)
-    return ClosedForm(printed, printed[-1], sp.Matrix.hstack(*columns).applyfunc(shortest), parameters, joints)
+    J = sp.Matrix([[entry.expression() for entry in row] for row in zip(*columns, strict=True)])
+    return ClosedForm(frames, frames[-1], J, parameters, joints)
 
 
-def shortest(expression: sp.Expr) -> sp.Expr:
-    """The shortest of the multiplied-out form, the factored one, and those with one cosine or sine in front."""
-    expanded = sp.expand(expression)
-    fronts = sorted(expanded.atoms(sp.cos, sp.sin), key=sp.default_sort_key)
-    forms = (expanded, sp.factor(expanded), *(sp.collect(expanded, front) for front in fronts))
-    return min(forms, key=lambda form: sp.count_ops(shorthand(form)))
+def rotation(axis: str, angle: sp.Expr) -> Rows:
+    """Rows of the rotation about x, y or z."""
+    i = "xyz".index(axis)
+    j, k = (i + 1) % 3, (i + 2) % 3
+    rows = [list(row) for row in IDENTITY]
+    rows[j][j] = rows[k][k] = polynomial(sp.cos(angle))
+    rows[k][j] = polynomial(sp.sin(angle))
+    rows[j][k] = -rows[k][j]
+    return tuple(map(tuple, rows))
 
 
 def shorthand(expression: Any) -> Any:
@@ -103,18 +120,18 @@ def shorthand(expression: Any) -> Any:
     return expression.xreplace(replaced)
 
 
-def _follow(state: _Turning, steps: tuple[tuple[str, Expression], ...], joints: tuple[sp.Symbol, ...]) -> None:
-    for motion, amount in steps:
-        state.move(motion, amount.sympy(), joints)
+def times(left: Rows, right: Rows) -> Rows:
+    """Product of two rotations."""
+    columns = tuple(zip(*right, strict=True))
+    return tuple(
+        tuple(total(a * b for a, b in zip(row, column, strict=True) if a.terms and b.terms) for column in columns)
+        for row in left
+    )
 
 
-def _rotation(axis: str, angle: sp.Expr) -> sp.Matrix:
-    i = "xyz".index(axis)
-    j, k = (i + 1) % 3, (i + 2) % 3
-    matrix = sp.eye(3)
-    matrix[j, j] = matrix[k, k] = sp.cos(angle)
-    matrix[j, k], matrix[k, j] = -sp.sin(angle), sp.sin(angle)
-    return matrix
+def _frame(R: Rows, p: Sequence[Polynomial]) -> sp.Matrix:
+    rows = [[*(entry.expression() for entry in row), x.expression()] for row, x in zip(R, p, strict=True)]
+    return sp.Matrix([*rows, [0, 0, 0, 1]])
 
 
 def _joint_index(term: sp.Expr) -> str:

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from .approach import approached, configurations, in_axis_frame, projected
 from .chain import Chain
-from .jacobian import jacobian
 from .kinematics import forward
 from .singularity import Arm, Parameters, Values, arm, sigma_min, task_block, zero_set
 
@@ -20,6 +20,8 @@ SEEDS = 48  # per joint, where the search for a posture starts
 BESIDE = 5e-4  # of a curve's size: how far off it the two sides are tried
 FINER = 6  # bilinear points between two samples; their error is far below a cell
 LIMITS = "joint limits"
+
+Extent = tuple[float, float, float, float]  # left, right, bottom, top [m]
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,13 +54,13 @@ class Section:
 
     axes: tuple[str, str]
     cells: Values
-    extent: tuple[float, float, float, float]
+    extent: Extent
     curves: tuple[Curve, ...]
 
 
 def meridian(chain: Chain, q: ArrayLike) -> Values:
     """The tool's distance from axis 1 and its height along it, (..., 2) [m], at q (..., n)."""
-    p = _in_axis_frame(chain, q)
+    p = in_axis_frame(chain, q)
     return np.stack([np.hypot(p[..., 0], p[..., 1]), p[..., 2]], axis=-1)
 
 
@@ -86,16 +88,16 @@ def section(robot: "Robot", parameters: Parameters = None, *, cells: int = 320) 
     part = arm(robot, parameters)
     axes, free = _plane(part)
     if len(free) != 2:
-        return _cloud(part, axes, cells // 6)
+        return _cloud(part, axes, cells // 4)
     grid = [np.linspace(*part.limits[i], SAMPLES) for i in free]
-    q = _configurations(part.chain.n, free, np.stack(np.meshgrid(*grid, indexing="ij"), axis=-1))
+    q = configurations(part.chain.n, free, np.stack(np.meshgrid(*grid, indexing="ij"), axis=-1))
     sigma = sigma_min(task_block(part, q))
     finer = _interpolation(SAMPLES, FINER)
-    p = np.moveaxis(_in_axis_frame(part.chain, q), -1, 0)
+    p = np.moveaxis(in_axis_frame(part.chain, q), -1, 0)
     p, sigma = finer @ p @ finer.T, finer @ sigma @ finer.T
-    image, extent = _raster(_projected(np.moveaxis(p, 0, -1), axes), sigma, cells)
+    image, extent = _raster(projected(np.moveaxis(p, 0, -1), axes), sigma, cells)
     curves = _singular_curves(robot, parameters, part, free) + _limit_curves(part, free)
-    points = [_projected(_in_axis_frame(part.chain, line), axes) for _, line in curves]
+    points = [projected(in_axis_frame(part.chain, line), axes) for _, line in curves]
     return Section(
         axes,
         image,
@@ -107,23 +109,24 @@ def section(robot: "Robot", parameters: Parameters = None, *, cells: int = 320) 
     )
 
 
-def _in_axis_frame(chain: Chain, q: ArrayLike) -> Values:
-    """The tool (..., 3) in the frame of axis 1, slid along the axis until it is level with the base origin [m]."""
-    origin, rotation = chain.fixed[0][:3, 3], chain.fixed[0][:3, :3]
-    foot = origin - rotation[:, 2] * (rotation[:, 2] @ origin)
-    return (forward(chain, q)[..., :3, 3] - foot) @ rotation
-
-
-def _projected(p: Values, axes: tuple[str, str]) -> Values:
-    return p[..., :2] if axes == ("x", "y") else np.stack([np.hypot(p[..., 0], p[..., 1]), p[..., 2]], axis=-1)
-
-
 def _plane(part: Arm) -> tuple[tuple[str, str], tuple[int, ...]]:
-    """The coordinates of the section and the joints that move in it."""
-    spread = _in_axis_frame(part.chain, _spread(part, 64))
+    """The coordinates of the section and the joints that change something in it."""
+    q = _spread(part, 64)
+    spread = in_axis_frame(part.chain, q)
     if part.chain.kinds[0] == "P" or np.ptp(spread[:, 2]) < 1e-9:
-        return ("x", "y"), tuple(range(part.chain.n))
-    return ("r", "z"), tuple(range(1, part.chain.n))
+        axes, first = ("x", "y"), 0
+    else:
+        axes, first = ("r", "z"), 1
+    return axes, tuple(i for i in range(first, part.chain.n) if _matters(part, i, axes, q))
+
+
+def _matters(part: Arm, joint: int, axes: tuple[str, str], q: Values) -> bool:
+    """Whether a joint moves the tool in the section or changes sigma_min: the last of a SCARA does neither."""
+    turned = q.copy()
+    turned[:, joint] = q[::-1, joint]
+    moved = projected(in_axis_frame(part.chain, q), axes) - projected(in_axis_frame(part.chain, turned), axes)
+    changed = sigma_min(task_block(part, q)) - sigma_min(task_block(part, turned))
+    return max(float(np.abs(moved).max()), float(np.abs(changed).max())) > 1e-12
 
 
 def _spread(part: Arm, count: int) -> Values:
@@ -137,15 +140,45 @@ def _spread(part: Arm, count: int) -> Values:
 
 
 def _cloud(part: Arm, axes: tuple[str, str], cells: int) -> Section:
+    """A section that more than two joints span: samples, then postures for the empty cells beside the reached ones."""
     q = _spread(part, 40_000)
-    image, extent = _raster(_projected(_in_axis_frame(part.chain, q), axes), sigma_min(task_block(part, q)), cells)
-    return Section(axes, image, extent, ())
+    points, sigma = projected(in_axis_frame(part.chain, q), axes), sigma_min(task_block(part, q))
+    image, extent = _raster(points, sigma, cells, margin=cells // 8)  # samples of many joints end short of the rim
+    size, corner = (extent[1] - extent[0]) / image.shape[1], np.array([extent[0], extent[2]])
+    posture = np.full((*image.shape, part.chain.n), np.nan)
+    posture[tuple(((points - corner) / size).astype(int).T[::-1])] = q
+    free, fresh = tuple(range(part.chain.n)), ~np.isnan(image)
+    while fresh.any():
+        empty, beside = _empty_beside(image, fresh)
+        at, gap = approached(part, free, axes, posture[tuple(beside.T)], (empty[:, ::-1] + 0.5) * size + corner)
+        found = (np.abs(gap) < 0.5 * size).all(axis=1)
+        fresh = np.zeros_like(fresh)
+        reached = tuple(empty[found].T)
+        posture[reached], fresh[reached] = at[found], True
+        image[reached] = sigma_min(task_block(part, at[found]))
+    return Section(axes, *_cropped(image, corner, size), ())
 
 
-def _configurations(n: int, free: tuple[int, ...], values: Values) -> Values:
-    q = np.zeros((*values.shape[:-1], n))
-    q[..., free] = values
-    return q
+def _cropped(image: Values, corner: Values, size: float) -> tuple[Values, Extent]:
+    """The reached cells with one empty cell around, and their extent."""
+    rows, columns = (np.flatnonzero((~np.isnan(image)).any(axis=axis)) for axis in (1, 0))
+    top, bottom, left, right = rows[-1] + 2, rows[0] - 1, columns[0] - 1, columns[-1] + 2
+    left, bottom = max(left, 0), max(bottom, 0)
+    kept = image[bottom:top, left:right]
+    x, y = corner + np.array([left, bottom]) * size
+    return kept, (float(x), float(x + kept.shape[1] * size), float(y), float(y + kept.shape[0] * size))
+
+
+def _empty_beside(image: Values, fresh: NDArray[np.bool_]) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """Rows and columns (m, 2) of empty cells, and of the cells reached last that each of them touches."""
+    cells = np.argwhere(fresh)
+    around = np.array([(i, j) for i in (-1, 0, 1) for j in (-1, 0, 1) if i or j])
+    beside = np.repeat(cells, len(around), axis=0)
+    empty = (cells[:, None] + around).reshape(-1, 2)
+    inside = ((empty >= 0) & (empty < image.shape)).all(axis=1)
+    empty, beside = empty[inside], beside[inside]
+    unreached = np.isnan(image[tuple(empty.T)])
+    return empty[unreached], beside[unreached]
 
 
 def _interpolation(count: int, finer: int) -> Values:
@@ -154,11 +187,11 @@ def _interpolation(count: int, finer: int) -> Values:
     return np.maximum(0.0, 1 - np.abs(position[:, None] - np.arange(count)))
 
 
-def _raster(points: Values, sigma: Values, cells: int) -> tuple[Values, tuple[float, float, float, float]]:
+def _raster(points: Values, sigma: Values, cells: int, margin: int = 1) -> tuple[Values, Extent]:
     flat = points.reshape(-1, 2)
     low, high = flat.min(axis=0), flat.max(axis=0)
     size = max(float((high - low).max()), 1e-9) / cells
-    shape = np.ceil((high - low) / size).astype(int) + 3  # an empty cell around
+    shape = np.ceil((high - low) / size).astype(int) + 1 + 2 * margin  # empty cells around
     origin = (low + high - shape * size) / 2
     column, row = ((flat - origin) / size).astype(int).T
     image = np.full(shape[0] * shape[1], -np.inf)
@@ -174,7 +207,7 @@ def _singular_curves(
 ) -> list[tuple[str, Values]]:
     ranges = [part.limits[i] for i in free]
     return [
-        (factor.name, _configurations(part.chain.n, free, line))
+        (factor.name, configurations(part.chain.n, free, line))
         for factor in part.factors
         for line in zero_set(robot, factor.name, parameters, free=(free[0], free[1]), ranges=ranges)
     ]
@@ -230,7 +263,7 @@ def _distance(part: Arm, free: tuple[int, ...], axes: tuple[str, str], targets: 
     # Cell centres, an even number, in a box a hair smaller: on axis 1 itself r has no derivative.
     lines = [a + (b - a) * (np.arange(SEEDS) + 0.5) / SEEDS for a, b in zip(low, high, strict=True)]
     grid = np.stack(np.meshgrid(*lines, indexing="ij"), axis=-1)
-    sampled = _projected(_in_axis_frame(part.chain, _configurations(part.chain.n, free, grid)), axes)
+    sampled = projected(in_axis_frame(part.chain, configurations(part.chain.n, free, grid)), axes)
     far = ((sampled - targets[:, None, None]) ** 2).sum(axis=-1)
     rim = np.pad(far, ((0, 0), (1, 1), (1, 1)), constant_values=np.inf)
     lowest = np.ones(far.shape, dtype=np.bool_)
@@ -239,35 +272,10 @@ def _distance(part: Arm, free: tuple[int, ...], axes: tuple[str, str], targets: 
             lowest &= far <= rim[:, i : i + SEEDS, j : j + SEEDS]
     target, *node = np.nonzero(lowest)
     q, wanted = grid[tuple(node)], targets[target]
-    for _ in range(14):
-        gap, gain = _gap(part, free, axes, q, wanted)
-        step = _solved(gain, gap)
-        stuck = ((q <= low) & (step < 0)) | ((q >= high) & (step > 0))
-        step = np.where(stuck.any(axis=1, keepdims=True), _solved(np.where(stuck[:, None], 0.0, gain), gap), step)
-        q = np.clip(q + np.clip(step, -0.1 * (high - low), 0.1 * (high - low)), low, high)
-    gap, _ = _gap(part, free, axes, q, wanted)
+    _, gap = approached(part, free, axes, q, wanted)
     nearest = np.full(len(targets), np.inf)
     np.minimum.at(nearest, target, np.linalg.norm(gap, axis=1))
     return nearest
-
-
-def _gap(part: Arm, free: tuple[int, ...], axes: tuple[str, str], q: Values, wanted: Values) -> tuple[Values, Values]:
-    """What is missing (m, 2) to the wanted points, and the derivative (m, 2, 2) of the points by the joints."""
-    full = _configurations(part.chain.n, free, q)
-    p = _in_axis_frame(part.chain, full)
-    turned = part.chain.fixed[0][:3, :3].T @ jacobian(part.chain, full)[:, :3][:, :, list(free)]
-    at = _projected(p, axes)
-    if axes == ("x", "y"):
-        return wanted - at, turned[:, :2]
-    outward = (p[:, :2, None] * turned[:, :2]).sum(axis=1) / np.maximum(at[:, :1], 1e-12)
-    return wanted - at, np.stack([outward, turned[:, 2]], axis=1)
-
-
-def _solved(gain: Values, gap: Values) -> Values:
-    """Damped least squares, which a singular gain does not upset."""
-    transposed = np.swapaxes(gain, 1, 2)
-    square = transposed @ gain + 1e-9 * np.eye(2)
-    return np.asarray(np.linalg.solve(square, transposed @ gap[..., None])[..., 0], dtype=np.float64)
 
 
 def _least(value: Callable[[Values], Values], part: Arm) -> float:

@@ -1,21 +1,43 @@
 """The arms of the course: rows, frames, limits, factors, and sentences for wrong names."""
 
+import json
 import math
 import subprocess
 import sys
 from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-from kinegrade.solutions.chain import Array, ChainError
+from kinegrade.solutions.chain import Array, ChainError, steps_transform
 from kinegrade.solutions.errors import KinegradeError
 from kinegrade.solutions.expression import parse
 from kinegrade.solutions.jacobian import jacobian
 from kinegrade.solutions.kinematics import forward, frames
 from kinegrade.solutions.robots import ROBOTS, Robot, RobotError, robot
 
+GOLDEN = Path(__file__).parent / "data" / "golden"
+TWINS = {
+    "planar_2r": "planar2r",
+    "planar_3r": "planar3r",
+    "three_axis": "threeaxis",
+    "rrt_spherical": "rrt_spherical",
+    "rrt_offset": "rrt_offset",
+    "rrt_scara": "rrt_planar",
+    "rpp_cylindrical": "rpp_cyl",
+    "scara": "scara",
+    "stanford": "stanford",
+    "stanford_spong": "stanford_spong",
+    "articulated_6r": "niku6",
+    "puma560": "puma560",
+    "ur5": "ur5",
+    "panda": "panda",
+}
 every = pytest.mark.parametrize("arm", ROBOTS.values(), ids=list(ROBOTS))
+FACTORED = [arm for arm in ROBOTS.values() if arm.factors]
+factored = pytest.mark.parametrize("arm", FACTORED, ids=[arm.name for arm in FACTORED])
 
 
 def within_limits(arm: Robot, count: int) -> Array:
@@ -40,6 +62,15 @@ def valued(arm: Robot, parameters: dict[str, float], q: Array) -> dict[str, Any]
         ("rrt_spherical", "RRP", ("d1",)),
         ("rrt_offset", "RRP", ("a1", "d1", "d2")),
         ("puma560", "RRRRRR", ("d1", "a2", "a3", "d3", "d4")),
+        ("planar_3r", "RRR", ("l1", "l2", "l3")),
+        ("rrt_scara", "RRP", ("d1", "a1", "a2")),
+        ("rpp_cylindrical", "RPP", ("d1",)),
+        ("scara", "RRPR", ("a1", "a2", "d4")),
+        ("stanford", "RRPRRR", ("d1", "d2", "a3", "d6")),
+        ("stanford_spong", "RRPRRR", ("d2", "d6")),
+        ("articulated_6r", "RRRRRR", ("a2", "a3", "a4")),
+        ("ur5", "RRRRRR", ("d1", "a2", "a3", "d4", "d5", "d6")),
+        ("panda", "RRRRRRR", ("d1", "d3", "a4", "d5", "a7", "d7", "h")),
     ],
 )
 def test_the_course_knows_these_arms(name: str, kinds: str, names: tuple[str, ...]):
@@ -48,18 +79,59 @@ def test_the_course_knows_these_arms(name: str, kinds: str, names: tuple[str, ..
     assert arm.names == (*names, *(f"q{i}" for i in range(1, len(kinds) + 1)))
 
 
+def test_every_arm_has_a_golden_twin():
+    assert set(TWINS) == set(ROBOTS)
+
+
 @every
-def test_the_factors_are_the_determinant_of_the_task_block(arm: Robot):
+def test_an_arm_is_its_golden_twin(arm: Robot):
+    golden = json.loads((GOLDEN / f"{TWINS[arm.name]}.json").read_text(encoding="utf-8"))
+    lengths = {"a2": 15, "a3": 15, "a4": 6} if arm.name == "articulated_6r" else {}
+    chain, q = arm.chain(lengths), [case["q"] for case in golden["cases"]]
+    for key, values in {
+        "T": forward(chain, q),
+        "jacob0": jacobian(chain, q),
+        "jacobe": jacobian(chain, q, "tool"),
+    }.items():
+        expected = [case[key] for case in golden["cases"]]
+        np.testing.assert_allclose(values, expected, rtol=0, atol=1e-12, err_msg=key)
+
+
+@factored
+def test_constant_and_factors_multiply_to_the_determinant_of_the_task_block(arm: Robot):
     q = within_limits(arm, 40)
     for parameters in ({}, other_parameters(arm)):
         values = valued(arm, parameters, q)
-        product = np.ones(len(q))
+        product = np.broadcast_to(parse(arm.constant, arm.names).at(values), len(q)).copy()
         for factor in arm.factors:
             product *= parse(factor.expression, arm.names).at(values) ** factor.power
         determinant = np.linalg.det(jacobian(arm.chain(parameters), q)[:, arm.task_rows, :])
-        constant = determinant[0] / product[0]
-        assert constant != 0
-        np.testing.assert_allclose(determinant, constant * product, rtol=1e-9, atol=1e-13)
+        np.testing.assert_allclose(determinant, product, rtol=1e-9, atol=1e-14)
+        np.testing.assert_allclose(parse(arm.determinant, arm.names).at(values), product, rtol=1e-12, atol=1e-15)
+
+
+def test_the_determinant_of_s0s_arm_is_6_roots_of_3_at_its_example():
+    arm = robot("three_axis")
+    values = valued(arm, {}, arm.pose("example"))
+    assert parse(arm.determinant, arm.names).at(values) == pytest.approx(6 * math.sqrt(3), rel=1e-14)
+
+
+@pytest.mark.parametrize(
+    ("name", "determinant"),
+    [
+        ("planar_3r", "l1*l2*(sin(q2))"),
+        ("rrt_spherical", "-1*(q3)^2*(sin(q2))"),
+        ("rpp_cylindrical", "(q3)"),
+        ("stanford", "(q3)^2*(sin(q2))*(sin(q5))"),
+    ],
+)
+def test_the_determinant_is_written_out_with_its_sign_and_powers(name: str, determinant: str):
+    assert robot(name).determinant == determinant
+
+
+@every
+def test_all_arms_but_the_redundant_one_have_a_square_task_block_and_its_factors(arm: Robot):
+    assert (len(arm.task_rows) == arm.n) == bool(arm.factors) == (arm.name != "panda")
 
 
 @every
@@ -138,7 +210,7 @@ def test_limits_and_provenance_are_stated(arm: Robot):
     assert all(low < high for low, high in arm.limits)
     assert all(abs(x) <= 2 * math.pi for limits in arm.limits for x in limits)
     assert all(low > 0 for (low, _), kind in zip(arm.limits, arm.kinds, strict=True) if kind == "P")
-    assert arm.source.startswith("S")
+    assert arm.title
     assert "limits" in arm.source
 
 
@@ -164,6 +236,9 @@ def test_parameters_left_out_have_their_defaults(arm: Robot):
         (lambda: robot("puma560").chain({"a2": math.inf}), "parameter a2 of puma560 takes a finite number, got inf"),
         (lambda: robot("puma560").chain({"a2": "1"}), "takes a finite number, got '1'"),  # type: ignore[dict-item]
         (lambda: robot("puma560").chain({"a2": True}), "takes a finite number, got True"),
+        (lambda: robot("puma560").pose("qq"), "pose of puma560 takes one of qz, qr, qs, qn, example, got 'qq'"),
+        (lambda: robot("scara").pose("qz"), "pose of scara takes no name, got 'qz'"),
+        (lambda: robot("panda").determinant, "determinant takes a robot with a factored task block, got panda"),
         (lambda: robot("three_axis").table, "table takes a robot with a Denavit-Hartenberg table"),
     ],
 )
@@ -177,6 +252,45 @@ def test_wrong_names_and_numbers_are_refused_with_a_sentence(call: Callable[[], 
 def test_a_configuration_of_the_wrong_size_is_refused(arm: Robot):
     with pytest.raises(ChainError, match=rf"q takes shape \(\.\.\., {arm.n}\)"):
         arm.frames({}, np.zeros(arm.n + 1))
+
+
+@every
+def test_named_configurations_lie_within_the_limits(arm: Robot):
+    for name in arm.poses:
+        q = arm.pose(name)
+        assert q.shape == (arm.n,)
+        for value, (low, high), kind in zip(q, arm.limits, arm.kinds, strict=True):
+            turns = (-2 * math.pi, 0, 2 * math.pi) if kind == "R" else (0,)  # qn of the Puma has 180 for -180
+            assert any(low <= value + turn <= high for turn in turns), name
+
+
+@pytest.mark.parametrize(("name", "singular"), [("qz", True), ("qr", True), ("qs", True), ("qn", False)])
+def test_the_named_configurations_of_the_puma_are_wrist_singular_but_for_qn(name: str, singular: bool):
+    arm = robot("puma560")
+    assert (abs(np.linalg.det(jacobian(arm.chain(), arm.pose(name)))) < 1e-15) == singular
+
+
+def test_a_configuration_of_another_size_cannot_be_named():
+    with pytest.raises(ChainError, match=r"pose flat of planar_2r takes shape \(\.\.\., 2\)"):
+        replace(robot("planar_2r"), poses={"flat": (0.0,)}).pose("flat")
+
+
+def test_a_pose_is_a_copy():
+    robot("puma560").pose("qr")[0] = 7
+    assert robot("puma560").pose("qr")[0] == 0
+
+
+@pytest.mark.parametrize("name", ["puma560", "panda", "three_axis"])
+def test_a_base_transform_leads_in_chain_and_frames(name: str):
+    arm, q = robot(name), within_limits(robot(name), 5)
+    length = next(iter(arm.parameters))
+    based = replace(arm, base=(("Tz", "0.5"), ("Rx", "pi/3"), ("Ty", length)))
+    base = steps_transform([("Tz", 0.5), ("Rx", math.pi / 3), ("Ty", arm.parameters[length])])
+    np.testing.assert_allclose(forward(based.chain(), q), base @ forward(arm.chain(), q), rtol=0, atol=1e-14)
+    np.testing.assert_allclose(based.frames({}, q), base @ arm.frames({}, q), rtol=0, atol=1e-14)
+    longer = steps_transform([("Tz", 0.5), ("Rx", math.pi / 3), ("Ty", 2.0)])
+    moved = longer @ forward(arm.chain({length: 2}), q)
+    np.testing.assert_allclose(forward(based.chain({length: 2}), q), moved, rtol=0, atol=1e-14)
 
 
 def test_the_engine_starts_without_sympy():

@@ -55,7 +55,7 @@ def test_curves_are_images_of_their_configurations_within_the_limits(name: str) 
             np.testing.assert_allclose(curve.points, meridian(part.chain, curve.q), atol=1e-12)
 
 
-@pytest.mark.parametrize("name", ROBOTS)
+@pytest.mark.parametrize("name", [name for name, cut in SECTIONS.items() if cut.curves])
 def test_every_rim_of_the_cells_lies_on_a_boundary_curve(name: str) -> None:
     """The cells know nothing of the curves: where they end, a curve marked as boundary must pass."""
     cut = SECTIONS[name]
@@ -80,6 +80,31 @@ def test_boundary_curves_have_empty_cells_beside_them(name: str) -> None:
     for curve in cut.curves:
         column, row = (((curve.points - [cut.extent[0], cut.extent[2]]) / size).astype(int) + 3).T
         assert np.count_nonzero(~near[row, column] & curve.boundary) <= 1  # where it ceases to be one
+
+
+def test_sections_that_two_joints_span_have_curves_and_a_scaras_last_joint_spans_nothing() -> None:
+    assert {name for name, cut in SECTIONS.items() if not cut.curves} == {"planar_3r", "articulated_6r", "ur5", "panda"}
+    assert {curve.name for curve in SECTIONS["scara"].curves} == {ROBOTS["scara"].factors[0].name, LIMITS}
+
+
+@pytest.mark.parametrize("name", [name for name, cut in SECTIONS.items() if not cut.curves])
+def test_a_section_that_more_joints_span_has_no_holes_and_ends_at_the_reach(name: str) -> None:
+    cut = SECTIONS[name]
+    reached = ~np.isnan(cut.cells)
+    size = (cut.extent[1] - cut.extent[0]) / cut.cells.shape[1]
+    x, y = (low + (np.arange(n) + 0.5) * size for low, n in zip(cut.extent[::2], cut.cells.shape[::-1], strict=True))
+    r = np.hypot(*np.meshgrid(x, y)) if cut.axes == ("x", "y") else np.broadcast_to(x, cut.cells.shape)
+    near, far = reach(ROBOTS[name])
+    assert r[reached].max() == pytest.approx(far, abs=1.5 * size)
+    assert r[reached].min() == pytest.approx(near, abs=1.5 * size)
+    neighbours = np.sum([np.roll(reached, s, a) for s in (-1, 1) for a in (0, 1)], axis=0)
+    assert not (~reached & (neighbours == 4)).any()
+
+
+def test_the_disc_of_three_planar_joints_has_its_area() -> None:
+    cut = SECTIONS["planar_3r"]
+    size = (cut.extent[1] - cut.extent[0]) / cut.cells.shape[1]
+    assert np.count_nonzero(~np.isnan(cut.cells)) * size**2 == pytest.approx(np.pi * 2.3**2, rel=0.04)
 
 
 def test_the_planar_ring_lies_between_its_two_singular_circles() -> None:

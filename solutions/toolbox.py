@@ -1,0 +1,114 @@
+"""Chains from robots of the Robotics Toolbox for Python, by their attributes: it is never imported here."""
+
+from collections.abc import Iterable
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+
+from .axes import Joint, along, assembled
+from .chain import Array, Chain, elementary, modified_transform, reals, standard_transform
+from .errors import KinegradeError
+
+AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
+Moves = list[Array | Joint]
+
+
+class ToolboxError(KinegradeError):
+    """An object that is no robot of the toolbox, or one that is no chain."""
+
+
+def from_toolbox(robot: Any) -> Chain:
+    """Chain of a DHRobot, a Robot (ERobot) or an ETS as roboticstoolbox-python 1.4.4 has them, with base and tool.
+
+    Standard and modified rows, offsets, prismatic joints, flipped joints and joints about x and y are understood. Of
+    a robot that branches the toolbox's own choice is taken, `robot.ets()`; pass `robot.ets(end=...)` for another.
+    Raises ToolboxError.
+    """
+    links: Any = getattr(robot, "links", None)
+    if links is not None and all(_has(link, "sigma", "mdh", "alpha") for link in links):
+        return _between(robot, [move for link in links for move in _row_moves(link)])
+    if callable(getattr(robot, "ets", None)):
+        return _between(robot, _element_moves(robot.ets()))
+    if hasattr(robot, "__iter__") and not isinstance(robot, str):
+        return _chain(_element_moves(robot))
+    raise ToolboxError(f"from_toolbox takes a DHRobot, a Robot or an ETS of roboticstoolbox, got {_kind_of(robot)}")
+
+
+def _between(robot: Any, moves: Moves) -> Chain:
+    return _chain([_pose(robot, "base"), *moves, _pose(robot, "tool")])
+
+
+def _chain(moves: Moves) -> Chain:
+    if not any(isinstance(move, tuple) for move in moves):
+        raise ToolboxError("from_toolbox takes a robot with joints, got none that moves")
+    return assembled(moves)
+
+
+def _row_moves(link: Any) -> Moves:
+    """Moves of one Denavit-Hartenberg row: theta of a revolute and d of a prismatic row are its q + offset."""
+    offset, a, alpha = (_number(link, key) for key in ("offset", "a", "alpha"))
+    revolute = not link.sigma
+    theta, d = (offset, _number(link, "d")) if revolute else (_number(link, "theta"), offset)
+    flipped = bool(getattr(link, "isflip", False))
+    joint: Joint = ("R" if revolute else "P", elementary("Rx", np.pi if flipped else 0.0))
+    if link.mdh:
+        return [modified_transform([0.0, 0.0, a, alpha]), joint, modified_transform([theta, d, 0.0, 0.0])]
+    return [joint, standard_transform([theta, d, a, alpha])]
+
+
+def _element_moves(elements: Iterable[Any]) -> Moves:
+    """Moves of an elementary transform sequence, whose joints take q in the order in which they stand."""
+    moves, indices = Moves(), list[int]()
+    for element in elements:
+        if not _has(element, "isjoint", "A"):
+            raise ToolboxError(f"an ETS takes elementary transforms, got {_kind_of(element)}")
+        if not element.isjoint:
+            moves.append(_matrix(element.A(), "an elementary transform"))
+            continue
+        moves.append(_joint(element))
+        if (index := getattr(element, "jindex", None)) is not None:
+            indices.append(int(index))
+    if any(low >= high for low, high in pairwise(indices)):
+        raise ToolboxError(f"an ETS takes joints numbered in the order in which they stand, got {indices}")
+    return moves
+
+
+def _joint(element: Any) -> Joint:
+    # `kind` is called `axis` up to 1.3, and 1.4 warns about the old name
+    name = str(element.kind if hasattr(element, "kind") else element.axis)
+    if len(name) != 2 or name[0] not in "Rt" or name[1] not in AXES:
+        raise ToolboxError(f"a joint takes one of Rx, Ry, Rz, tx, ty, tz, got {name}")
+    sign = -1.0 if getattr(element, "isflip", False) else 1.0
+    return ("R" if name[0] == "R" else "P", along(sign * np.array(AXES[name[1]])))
+
+
+def _pose(robot: Any, key: str) -> Array:
+    value = getattr(robot, key, None)
+    return np.eye(4) if value is None else _matrix(getattr(value, "A", value), f"the {key}")
+
+
+def _matrix(value: Any, what: str) -> Array:
+    try:
+        matrix = reals(what, value)
+    except (KinegradeError, TypeError):
+        matrix = np.zeros(0)
+    if matrix.shape != (4, 4):
+        raise ToolboxError(f"{what} takes one transform of shape (4, 4) in numbers, got {_kind_of(value)}")
+    return matrix
+
+
+def _number(link: Any, key: str) -> float:
+    try:
+        return float(getattr(link, key))
+    except (AttributeError, TypeError, ValueError):
+        raise ToolboxError(f"a row takes a number for {key}, got {getattr(link, key, None)!r}") from None
+
+
+def _has(value: Any, *keys: str) -> bool:
+    return all(hasattr(value, key) for key in keys)
+
+
+def _kind_of(value: Any) -> str:
+    shape = getattr(value, "shape", None)
+    return f"an object of type {type(value).__name__}" + (f" and shape {shape}" if shape is not None else "")
