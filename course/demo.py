@@ -11,7 +11,7 @@ import numpy as np
 
 from ..exercises.exercise import Exercise, Numbers, references
 from ..solutions.table import Table, read_table
-from .config import Course, CourseError, read_course, write_course
+from .config import Course, CourseError, course_text, read_course
 from .files import write_atomically
 from .gradebook import Gradebook
 from .notebook import answer_code
@@ -137,13 +137,11 @@ def _prepare(folder: Path) -> None:
         if SECRET not in settings.read_text(encoding="utf-8"):
             raise CourseError(f"{folder} holds a course that is not the demonstration; name another folder")
         return
-    write_course(folder, "Kinegrade demonstration")
-    lines = settings.read_text(encoding="utf-8").splitlines()
-    lines = [f'secret = "{SECRET}"' if line.startswith("secret =") else line for line in lines]
-    lines = ["cell_seconds = 2" if line.startswith("cell_seconds") else line for line in lines]
-    write_atomically(settings, "\n".join(lines) + "\n")
     roster = [f"student{i:02},{habit.title}" for i, habit in enumerate(HABITS, 1)]
     write_atomically(folder / "roster.csv", "\n".join(["student,name", *roster]) + "\n")
+    lines = course_text("Kinegrade demonstration", SECRET).splitlines()
+    lines = ["cell_seconds = 2" if line.startswith("cell_seconds") else line for line in lines]
+    write_atomically(settings, "\n".join(lines) + "\n")  # last: with it, the folder is the demonstration
 
 
 def hand_in(course: Course, gradebook: Gradebook) -> None:

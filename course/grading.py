@@ -135,7 +135,7 @@ class SheetMarker:
         key = GradeKey(student.id, self.sheet.name, digest(submission.data), self._rules(records, moved, submission))
         verdicts = self.gradebook.verdicts(key)
         if verdicts is not None and all(verdict.status != "not_graded" for verdict in verdicts):
-            self.gradebook.save_grade(key, verdicts)  # it may not be the current one
+            self.gradebook.make_current(key)
             return Result(student, self.sheet.name, tuple(verdicts))
         return _Work(student, submission, records, moved, key)
 
@@ -163,7 +163,7 @@ class SheetMarker:
                     error = future.exception()
                     yield futures[future], future.result() if error is None else _plain(error)
             finally:
-                pool.shutdown()  # stopped on the way, it does not run the rest of the class
+                pool.shutdown(cancel_futures=True)  # stopped on the way, it does not run the rest of the class
 
     def _mark(self, work: _Work, raws: dict[str, Raw] | Exception) -> Result:
         try:

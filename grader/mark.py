@@ -162,7 +162,7 @@ def _trivial(reference: Any, own: Any) -> bool:
         return False
     if own.ndim == 2 and np.linalg.matrix_rank(own, 1e-6) < np.linalg.matrix_rank(reference, 1e-6):
         return True
-    return 4 * _different_numbers(own) < 3 * _different_numbers(reference)
+    return 2 * _different_numbers(own) < _different_numbers(reference)
 
 
 def _different_numbers(array: Any) -> int:

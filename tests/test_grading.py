@@ -30,6 +30,7 @@ def count(connection, cursor, statement, *rest):
         left[0] -= 1
 graded(Path(sys.argv[1]))
 """
+COUNTS = ("SELECT count(*) FROM grade", "SELECT count(*) FROM current")
 
 
 def graded(folder, *, accept_change=False):
@@ -259,10 +260,18 @@ def test_parts_whose_reference_moved_wait_until_the_change_is_accepted(folder):
     assert "`kinegrade grade --accept-change`" in said(found)
     assert found.points is None
     accepted = graded(folder, accept_change=True)["ada"]
-    assert [(verdict.status, verdict.points) for verdict in accepted.verdicts][0] == ("correct", 2)
+    assert (accepted.verdicts[0].status, accepted.verdicts[0].points) == ("correct", 2)
     assert statuses(accepted)[1] in ("partly", "incorrect")
     assert graded(folder)["ada"] == accepted
     assert before["ada"].points == 5
+
+
+def test_parts_wait_that_moved_though_no_exercise_was_edited(folder, monkeypatch):
+    before = graded(folder)
+    monkeypatch.setattr(grading, "moved_parts", lambda *_: ["lever_J"])
+    assert statuses(graded(folder)["ada"]) == ["correct", "not_graded"]
+    monkeypatch.undo()
+    assert graded(folder) == before
 
 
 def test_an_edit_that_is_taken_back_brings_the_grades_back(folder):
@@ -298,7 +307,15 @@ def test_somebody_elses_answers_are_named_to_the_instructor_only(folder):
     assert result.points == 0
 
 
-@pytest.mark.parametrize("statements", [0, 1, 3, 4])
+def test_nobody_copies_from_oneself(folder):
+    close = answers(folder, "ben")["lever_p"] + 1.5e-3
+    put(folder, "ben", {"lever_p": close})
+    result = graded(folder)["ben"]
+    assert result.verdicts[0].status != "correct"
+    assert "ben" not in said(result)
+
+
+@pytest.mark.parametrize("statements", [1, 4])
 def test_a_run_killed_inside_a_transaction_is_finished_by_the_next_with_the_same_grades(folder, tmp_path, statements):
     put(folder, "ada", {"lever_p": [9.0, 9.0]})
     command = [sys.executable, "-c", KILLED, str(folder), str(statements)]
@@ -306,7 +323,7 @@ def test_a_run_killed_inside_a_transaction_is_finished_by_the_next_with_the_same
     killed = subprocess.run(command, env={**os.environ, "PYTHONPATH": path}, check=False)
     assert killed.returncode == -signal.SIGKILL
     with sqlite3.connect(folder / "gradebook.sqlite") as connection:
-        kept = [connection.execute(f"SELECT count(*) FROM {name}").fetchone()[0] for name in ("grade", "current")]
+        kept = [connection.execute(query).fetchone()[0] for query in COUNTS]
     connection.close()
     assert kept == [statements // 2] * 2
     undisturbed = handed_out(make_course(tmp_path / "undisturbed"))
