@@ -49,7 +49,7 @@ def collect(notebook: bytes, asks: Sequence[Ask], limits: Limits | None = None) 
         reason = f"the file has {len(notebook) >> 20} MB; a notebook may have {MAX_NOTEBOOK >> 20} MB"
         return {ask.name: Raw("error", reason) for ask in asks}
     request = {
-        "notebook": notebook.decode("utf-8", errors="replace"),
+        "notebook": notebook.decode("utf-8-sig", errors="replace"),
         "asks": [ask.name for ask in asks],
         "cell_seconds": limits.cell_seconds,
     }

@@ -146,10 +146,14 @@ def plain_text(value, depth=3):
     return str(value)[:MAX_TEXT]
 
 
-def assigns(source, name):
-    return (
-        re.search(rf"^\s*(?:{re.escape(name)}\b[^=\n]*=|def\s+{re.escape(name)}\b)", source, re.MULTILINE) is not None
-    )
+def assigned_names(source):
+    """Names that a cell would set; where it is not Python, every name before an equals sign."""
+    try:
+        nodes = list(ast.walk(ast.parse(source)))
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return set(re.findall(r"(\w+)[^=\w\n]*=(?!=)", source)) | set(re.findall(r"def\s+(\w+)", source))
+    stored = {node.id for node in nodes if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)}
+    return stored | {node.name for node in nodes if isinstance(node, (ast.FunctionDef, ast.ClassDef))}
 
 
 def snapshot(names, scope, failures, seconds):
@@ -211,7 +215,8 @@ def run(request, write):
         _, error = limited(lambda source=source: run_cell(source, scope, transform), seconds)
         if error:
             said = failure(number, error, seconds)
-            failures |= {name: said for name in names if assigns(source, name) and id(scope.get(name)) == before[name]}
+            touched = assigned_names(source)
+            failures |= {name: said for name in names if name in touched and id(scope.get(name)) == before[name]}
         write({"done": number == len(cells), "values": snapshot(names, scope, failures, seconds)})
     return None
 
@@ -223,6 +228,8 @@ def alarm(*_):
 def main():
     fd = int(sys.argv[1])
     request = json.load(sys.stdin)
+    import numpy  # noqa: F401, ICN001 - before any alarm: the first import of a busy machine is no loop of a student
+
     signal.signal(signal.SIGALRM, alarm)
     warnings.simplefilter("ignore")
     sys.stdin = io.StringIO()

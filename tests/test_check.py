@@ -10,7 +10,7 @@ from courses import BUNDLED, notebook
 from kinegrade.course.check import _told, check_file, read_handout
 from kinegrade.course.config import CourseError
 from kinegrade.course.notebook import answer_code
-from kinegrade.exercises.exercise import ExerciseError, references
+from kinegrade.exercises.exercise import references
 from kinegrade.grader.verdict import Finding, Verdict
 from kinegrade.solutions.table import Table
 
@@ -155,8 +155,14 @@ def test_damaged_numbers_are_named(tmp_path, v):
 
 def test_an_exercise_that_is_not_installed_is_named(tmp_path):
     data = json.loads(solved("practice"))
-    data["metadata"]["kinegrade"] |= {"exercises": ["rtt"], "numbers": {"rtt": {}}}
-    with pytest.raises(ExerciseError, match="there is no exercise 'rtt'; did you mean 'rrt'"):
+    about = data["metadata"]["kinegrade"]
+    about |= {"exercises": ["rtt", *about["exercises"]], "numbers": {"rtt": {}, **about["numbers"]}}
+    _, (first, *others) = checked(tmp_path, json.dumps(data).encode())
+    assert (first.part, first.ok) == ("rtt", True)
+    assert "not installed here" in first.text
+    assert others
+    about |= {"exercises": ["rtt"]}
+    with pytest.raises(CourseError, match="none of its exercises is installed here: rtt"):
         checked(tmp_path, json.dumps(data).encode())
 
 

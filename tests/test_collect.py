@@ -83,6 +83,9 @@ def test_what_is_no_matrix_says_what_it_is(code, kind, words):
         ("while True:\n    x = None", "ran longer than 1 s"),
         ("try:\n    while True: pass\nexcept Exception:\n    pass\nx = 1", "ran longer"),
         ("x = undefined_name", "undefined_name"),
+        ("y = x = 1 / 0", "ZeroDivisionError"),
+        ("if True:\n    x, y = (1, 2, 3)", "ValueError"),
+        ("y = x = [1, 2", "is not Python"),
         ("import sys\nx = sys.exit(3)", "SystemExit"),
         ("x = 'a' * 10**11", "more memory"),
         ("from kinegrade.solutions.jacobian import jacobian\nx = jacobian", "ModuleNotFoundError"),
@@ -161,6 +164,10 @@ def test_what_is_no_notebook_is_an_error_with_a_sentence_or_simply_unanswered(da
     raw = collect(data, [Ask("x")], LIMITS)["x"]
     assert raw.kind in ("error", "missing")
     assert raw.kind == "missing" or "notebook" in raw.value
+
+
+def test_a_byte_order_mark_before_a_notebook_is_skipped():
+    assert value(collect(b"\xef\xbb\xbf" + notebook("x = 1"), [Ask("x")], LIMITS)["x"]) == 1
 
 
 def test_an_old_notebook_with_worksheets_is_read():
