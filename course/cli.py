@@ -105,13 +105,16 @@ def grade(
     accept_change: Annotated[
         bool, typer.Option("--accept-change", help="Mark by reference answers that changed since the hand-out.")
     ] = False,
+    again: Annotated[bool, typer.Option("--again", help="Mark anew what is marked already.")] = False,
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON instead of a table.")] = False,
 ) -> None:
     """Mark what was handed in; write grades.csv, feedback and the report."""
     from .tables import results_json
 
     with _opened(course) as (opened, gradebook):
-        marked = mark_sheets(opened, gradebook, opened.sheets(tuple(sheets or ())), accept_change=accept_change)
+        marked = mark_sheets(
+            opened, gradebook, opened.sheets(tuple(sheets or ())), accept_change=accept_change, again=again
+        )
         if as_json:
             print(results_json([result for _, results in marked for result in results]))
         else:
@@ -165,7 +168,12 @@ def plot(
 
 
 def mark_sheets(
-    course: "Course", gradebook: "Gradebook", sheets: "Sequence[Sheet]", *, accept_change: bool = False
+    course: "Course",
+    gradebook: "Gradebook",
+    sheets: "Sequence[Sheet]",
+    *,
+    accept_change: bool = False,
+    again: bool = False,
 ) -> "list[tuple[Sheet, list[Result]]]":
     """Marks sheets with a progress bar and writes all that follows from the marks."""
     from .grading import SheetMarker
@@ -176,7 +184,7 @@ def mark_sheets(
     marked: list[tuple[Sheet, list[Result]]] = []
     with progress("Marking", len(course.students) * len(sheets)) as step:
         for sheet in sheets:
-            marker = SheetMarker(course, gradebook, sheet, accept_change=accept_change)
+            marker = SheetMarker(course, gradebook, sheet, accept_change=accept_change, again=again)
             marked.append((sheet, marker.results(step)))
     write_results(course, _with_recorded(course, gradebook, marked))
     return marked

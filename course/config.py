@@ -44,7 +44,7 @@ class LimitsTable(_Strict):
     """What one notebook may use while it is marked."""
 
     cell_seconds: Annotated[float, Field(gt=0, le=600)] = 5.0
-    notebook_seconds: Annotated[float, Field(gt=0, le=3600)] = 30.0
+    notebook_seconds: Annotated[float, Field(gt=0, le=3600)] = 60.0
     memory_mb: Annotated[int, Field(ge=256)] = 2048
 
 

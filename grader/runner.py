@@ -8,6 +8,7 @@ process that has to be killed in a later cell has still handed over the earlier 
 
 import ast
 import builtins
+import ctypes
 import io
 import json
 import os
@@ -73,7 +74,7 @@ def code_cells(text):
         for cell in cells
         if isinstance(cell, dict) and cell.get("cell_type") == "code"
     )
-    return ["".join(source) if isinstance(source, list) else str(source) for source in sources][:500]
+    return ["".join(source) if isinstance(source, list) else str(source) for source in sources]
 
 
 def transformer():
@@ -137,7 +138,7 @@ def holds_text(value, depth=3):
     return any(isinstance(x, str) or holds_text(x, depth - 1) for x in value)
 
 
-def plain_text(value, depth=3):
+def plain_text(value, depth=2):
     """Nested lists of strings; numbers as their shortest exact text, everything else as str() clipped."""
     if isinstance(value, (list, tuple)) and depth:
         return [plain_text(x, depth - 1) for x in value[:64]]
@@ -172,10 +173,12 @@ def snapshot(names, scope, failures, seconds):
 def limited(action, seconds):
     """What an action returns and what it raised, under an alarm that rings again against a bare except."""
     try:
-        signal.setitimer(signal.ITIMER_REAL, seconds, 0.2)
+        signal.setitimer(signal.ITIMER_PROF, seconds, 0.2)  # processor time: a busy machine is no loop
+        signal.setitimer(signal.ITIMER_REAL, 3 * seconds, 0.2)  # for a cell that waits
         try:
             return action(), None
         finally:
+            signal.setitimer(signal.ITIMER_PROF, 0)
             signal.setitimer(signal.ITIMER_REAL, 0)
     except BaseException as error:
         return None, error
@@ -230,7 +233,9 @@ def main():
     request = json.load(sys.stdin)
     import numpy  # noqa: F401, ICN001 - before any alarm: the first import of a busy machine is no loop of a student
 
-    signal.signal(signal.SIGALRM, alarm)
+    ctypes.CDLL(None).prctl(1, signal.SIGKILL)  # PR_SET_PDEATHSIG: no notebook outlives the grader
+    for bell in (signal.SIGALRM, signal.SIGPROF):
+        signal.signal(bell, alarm)
     warnings.simplefilter("ignore")
     sys.stdin = io.StringIO()
     sys.stdout = sys.stderr = Capped()

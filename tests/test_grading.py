@@ -298,7 +298,8 @@ def test_an_exercise_that_needs_numbers_it_did_not_draw_waits_and_cannot_be_acce
         graded(folder, accept_change=True)
 
 
-def test_somebody_elses_answers_are_named_to_the_instructor_only(folder):
+def test_somebody_elses_answers_are_named_to_the_instructor_only(folder, monkeypatch):
+    monkeypatch.setattr("kinegrade.grader.follow.TELLING", 1)  # a lever has few numbers
     put(folder, "ben", answers(folder, "ada"))
     result = graded(folder)["ben"]
     told = [finding for verdict in result.verdicts for finding in verdict.findings if "ada" in finding.text]
@@ -363,3 +364,22 @@ def test_a_stopped_run_does_not_read_the_rest_of_the_class(folder, monkeypatch):
     with pytest.raises(KeyboardInterrupt):
         graded(folder)
     assert len(read) <= 2
+
+
+def test_marked_files_are_marked_anew_only_when_asked(folder, monkeypatch):
+    put(folder, "ada", answers(folder, "ada"))
+    graded(folder)
+    seen = []
+    monkeypatch.setattr("kinegrade.course.grading.mark", lambda *_: seen.append(1) or [])
+    graded(folder)
+    assert seen == []
+    course = read_course(folder)
+    with Gradebook(folder / "gradebook.sqlite") as gradebook:
+        SheetMarker(course, gradebook, course.sheets()[0], again=True).results()
+    assert seen
+
+
+def test_a_lost_gradebook_is_not_taken_for_an_empty_one(folder):
+    (folder / "gradebook.sqlite").unlink()
+    with pytest.raises(CourseError, match="knows nothing of sheet"):
+        graded(folder)
