@@ -85,8 +85,8 @@ class SheetMarker:
         self._read_records(accept_change=accept_change)
         if not self._records and any(course.folder.glob(f"released/*/{sheet.name}.ipynb")):
             raise CourseError(
-                f"{course.folder / 'gradebook.sqlite'} knows nothing of sheet {sheet.name}, though it was released; put "
-                "the backup back, or run `kinegrade generate`, which draws the same numbers from the same secret"
+                f"{course.folder / 'gradebook.sqlite'} knows nothing of sheet {sheet.name}, though it was released; "
+                "put the backup back, or run `kinegrade generate`, which draws the same numbers from the same secret"
             )
 
     def _read_records(self, *, accept_change: bool) -> None:

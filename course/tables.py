@@ -65,7 +65,7 @@ def grades_csv(results: Sequence[Result], parts: Sequence[str]) -> str:
         writer.writerow(
             [
                 result.student.id,
-                no_formula(printable(result.student.name)),
+                no_formula(result.student.name),
                 result.sheet,
                 status(result),
                 "" if result.points is None else f"{result.points:g}",

@@ -24,7 +24,7 @@ def test_a_new_course_is_read_as_it_was_written(tmp_path):
     course = read_course(tmp_path / "deep" / "course")
     assert [sheet.name for sheet in course.settings.sheet] == ["jacobian"]
     assert [student.id for student in course.students] == ["student01", "student02"]
-    assert (course.settings.limits.cell_seconds, course.settings.limits.notebook_seconds) == (5, 30)
+    assert (course.settings.limits.cell_seconds, course.settings.limits.notebook_seconds) == (5, 60)
 
 
 def test_every_new_course_has_a_secret_of_its_own_and_comments(tmp_path):
