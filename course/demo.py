@@ -12,8 +12,10 @@ import numpy as np
 from ..exercises.exercise import Exercise, Numbers, references
 from ..solutions.table import Table, read_table
 from .config import Course, CourseError, course_text, read_course
+from .console import progress
 from .files import write_atomically
 from .gradebook import Gradebook
+from .marking import mark_sheets, show
 from .notebook import answer_code
 from .sheets import exercises_of, generate
 
@@ -114,8 +116,6 @@ def run_demo(folder: Path) -> None:
     Raises:
         CourseError: the folder holds another course.
     """
-    from .cli import mark_sheets, progress, show
-
     _prepare(folder)
     course = read_course(folder)
     with Gradebook(folder / "gradebook.sqlite") as gradebook:
