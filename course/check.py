@@ -32,15 +32,17 @@ def check_file(path: Path, sheet: Path | None = None) -> tuple[Handout, list[Rem
 
     Raises:
         CourseError: a file cannot be read, or does not say which sheet it belongs to.
-        ExerciseError: an exercise is not installed here.
     """
     submission = read_submission(path)
     handout = read_handout(sheet or path)
     files = exercise_files()
-    exercises = [find(slug, files) for slug in handout.numbers]
+    exercises = [find(slug, files) for slug in handout.numbers if slug in files]
+    if not exercises:
+        raise CourseError(f"{sheet or path}: none of its exercises is installed here: {', '.join(handout.numbers)}")
     asks = [Ask(part.variable) for exercise in exercises for part in exercise.asked]
     raws = submission.raws(asks, Limits())
-    found: list[Remark] = []
+    unknown = "an exercise of this course that is not installed here; it is not checked"
+    found = [Remark(slug, ok=True, text=unknown) for slug in handout.numbers if slug not in files]
     for exercise in exercises:
         try:
             found += _remarks(handout.mode, exercise, handout.numbers[exercise.slug], raws)

@@ -9,18 +9,18 @@ import os
 import sys
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from ..solutions.errors import KinegradeError
+from .console import progress, say
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
+    from collections.abc import Generator
 
-    from .config import Course, Sheet
+    from .config import Course
     from .gradebook import Gradebook
-    from .grading import Result
 
 app = typer.Typer(
     help="Personal exercise sheets, worked solutions and marking for the robot Jacobian.",
@@ -77,7 +77,7 @@ def init(folder: Annotated[Path, typer.Argument(help="A new course folder.")]) -
 
     write_course(folder)
     print(f"{folder / 'course.toml'}\n{folder / 'roster.csv'}")
-    _say(f"Fill in roster.csv, then: kinegrade generate --course {folder}")
+    say(f"Fill in roster.csv, then: kinegrade generate --course {folder}")
 
 
 @app.command()
@@ -95,7 +95,7 @@ def generate(sheets: SheetArguments = None, course: CourseOption = Path()) -> No
             if sheet.new:
                 print(sheet.path)
         new = sum(sheet.new for sheet in released)
-        _say(f"{new} new, {len(released) - new} left as they were released.")
+        say(f"{new} new, {len(released) - new} left as they were released.")
 
 
 @app.command()
@@ -105,13 +105,17 @@ def grade(
     accept_change: Annotated[
         bool, typer.Option("--accept-change", help="Mark by reference answers that changed since the hand-out.")
     ] = False,
+    again: Annotated[bool, typer.Option("--again", help="Mark anew what is marked already.")] = False,
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON instead of a table.")] = False,
 ) -> None:
     """Mark what was handed in; write grades.csv, feedback and the report."""
+    from .marking import mark_sheets, show
     from .tables import results_json
 
     with _opened(course) as (opened, gradebook):
-        marked = mark_sheets(opened, gradebook, opened.sheets(tuple(sheets or ())), accept_change=accept_change)
+        marked = mark_sheets(
+            opened, gradebook, opened.sheets(tuple(sheets or ())), accept_change=accept_change, again=again
+        )
         if as_json:
             print(results_json([result for _, results in marked for result in results]))
         else:
@@ -135,7 +139,7 @@ def check(
         "graded": "Graded sheet: this tells whether answers can be read and fit each other, not if they are right.",
         "exam": "Exam sheet: this tells whether answers can be read, nothing more.",
     }
-    _say(told[handout.mode])
+    say(told[handout.mode])
     raise typer.Exit(0 if all(remark.ok for remark in found) else 1)
 
 
@@ -143,6 +147,7 @@ def check(
 def report(course: CourseOption = Path()) -> None:
     """Write grades.csv, feedback and the report again from the gradebook, without marking."""
     from .grading import recorded_results
+    from .marking import write_results
 
     with _opened(course) as (opened, gradebook):
         print(write_results(opened, [(sheet, recorded_results(opened, gradebook, sheet)) for sheet in opened.sheets()]))
@@ -161,78 +166,7 @@ def plot(
     path = output or Path(f"{robot}.png")
     save(arm, path)
     print(path)
-    _say(describe(arm))
-
-
-def mark_sheets(
-    course: "Course", gradebook: "Gradebook", sheets: "Sequence[Sheet]", *, accept_change: bool = False
-) -> "list[tuple[Sheet, list[Result]]]":
-    """Marks sheets with a progress bar and writes all that follows from the marks."""
-    from .grading import SheetMarker
-    from .submissions import strangers
-
-    for name in strangers(course.folder, {student.id for student in course.students}):
-        _say(f"{course.folder / 'submitted' / name} belongs to nobody of roster.csv and is not marked.")
-    marked: list[tuple[Sheet, list[Result]]] = []
-    with progress("Marking", len(course.students) * len(sheets)) as step:
-        for sheet in sheets:
-            marker = SheetMarker(course, gradebook, sheet, accept_change=accept_change)
-            marked.append((sheet, marker.results(step)))
-    write_results(course, _with_recorded(course, gradebook, marked))
-    return marked
-
-
-def _with_recorded(
-    course: "Course", gradebook: "Gradebook", marked: "list[tuple[Sheet, list[Result]]]"
-) -> "Iterator[tuple[Sheet, list[Result]]]":
-    """Marked sheets, and what the gradebook has of the others: a report is about all of the course."""
-    from .grading import recorded_results
-    from .sheets import exercises_of
-
-    fresh = {sheet.name: results for sheet, results in marked}
-    for sheet in course.settings.sheet:
-        try:
-            exercises_of(course, sheet)
-        except KinegradeError as error:
-            _say(f"Sheet {sheet.name} is left out of the report: {error}")
-            continue
-        yield sheet, fresh.get(sheet.name) or recorded_results(course, gradebook, sheet)
-
-
-def write_results(course: "Course", marked: "Iterable[tuple[Sheet, Sequence[Result]]]") -> Path:
-    """grades.csv, one feedback page per student and sheet, and the report; the report's path."""
-    from .files import write_atomically
-    from .pages import write_feedback, write_report
-    from .sheets import exercises_of
-    from .tables import grades_csv
-
-    pages: list[Any] = []
-    for sheet, results in marked:
-        exercises = exercises_of(course, sheet)
-        parts = [part.variable for exercise in exercises for part in exercise.asked]
-        name = "grades.csv" if len(course.settings.sheet) == 1 else f"grades-{sheet.name}.csv"
-        write_atomically(course.folder / name, grades_csv(results, parts))
-        for result in results:
-            if result.verdicts:
-                write_feedback(course, sheet, exercises, result)
-        pages.append((sheet, exercises, results))
-    return write_report(course, pages)
-
-
-def show(course: "Course", marked: "Sequence[tuple[Sheet, Sequence[Result]]]") -> None:
-    """The table of every sheet on stdout, and where to look on stderr."""
-    from rich.console import Console
-    from rich.text import Text
-
-    from .sheets import exercises_of
-    from .tables import legend, terminal_table
-
-    console = Console() if sys.stdout.isatty() else Console(width=140)  # a file has no width of its own
-    for sheet, results in marked:
-        console.print(Text(sheet.title or sheet.name, style="bold"))
-        console.print(terminal_table(results, exercises_of(course, sheet)))
-    _say(legend())
-    _say(f"Report: {course.folder / 'report' / 'index.html'}")
+    say(describe(arm))
 
 
 @contextmanager
@@ -243,19 +177,3 @@ def _opened(folder: Path) -> "Generator[tuple[Course, Gradebook]]":
     course = read_course(folder)
     with Gradebook(folder / "gradebook.sqlite") as gradebook:
         yield course, gradebook
-
-
-@contextmanager
-def progress(title: str, total: int) -> "Generator[Callable[[], None]]":
-    """A bar on stderr; the yielded function advances it by one."""
-    from rich.console import Console
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
-
-    columns = (TextColumn(title), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
-    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
-        task = bar.add_task(title, total=total)
-        yield lambda: bar.advance(task)
-
-
-def _say(text: str) -> None:
-    sys.stderr.write(text + "\n")

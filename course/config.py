@@ -44,7 +44,7 @@ class LimitsTable(_Strict):
     """What one notebook may use while it is marked."""
 
     cell_seconds: Annotated[float, Field(gt=0, le=600)] = 5.0
-    notebook_seconds: Annotated[float, Field(gt=0, le=3600)] = 30.0
+    notebook_seconds: Annotated[float, Field(gt=0, le=3600)] = 60.0
     memory_mb: Annotated[int, Field(ge=256)] = 2048
 
 
@@ -190,6 +190,12 @@ def _text(path: Path, missing: str) -> str:
         raise CourseError(f"{path} cannot be read as UTF-8 text: {error}") from error
 
 
+def course_text(title: str, secret: str) -> str:
+    """A commented course.toml."""
+    template = files("kinegrade.course").joinpath("templates/course.toml").read_text(encoding="utf-8")
+    return template.replace("@TITLE@", title).replace("@SECRET@", secret)
+
+
 def write_course(folder: Path, title: str = "The robot Jacobian") -> None:
     """A new course folder with a commented course.toml, a secret of its own and a roster to fill in.
 
@@ -198,8 +204,8 @@ def write_course(folder: Path, title: str = "The robot Jacobian") -> None:
     """
     if (folder / "course.toml").exists():
         raise CourseError(f"{folder / 'course.toml'} is already there; init never overwrites a course")
-    template = files("kinegrade.course").joinpath("templates/course.toml").read_text(encoding="utf-8")
-    text = template.replace("@TITLE@", title).replace("@SECRET@", secrets.token_hex(32))
     if not (folder / "roster.csv").exists():
         write_atomically(folder / "roster.csv", "student,name\nstudent01,First Student\nstudent02,Second Student\n")
-    write_atomically(folder / "course.toml", text)  # last: with it, the folder is a course
+    write_atomically(
+        folder / "course.toml", course_text(title, secrets.token_hex(32))
+    )  # last: with it, the folder is a course

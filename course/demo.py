@@ -11,9 +11,11 @@ import numpy as np
 
 from ..exercises.exercise import Exercise, Numbers, references
 from ..solutions.table import Table, read_table
-from .config import Course, CourseError, read_course, write_course
+from .config import Course, CourseError, course_text, read_course
+from .console import progress
 from .files import write_atomically
 from .gradebook import Gradebook
+from .marking import mark_sheets, show
 from .notebook import answer_code
 from .sheets import exercises_of, generate
 
@@ -114,8 +116,6 @@ def run_demo(folder: Path) -> None:
     Raises:
         CourseError: the folder holds another course.
     """
-    from .cli import mark_sheets, progress, show
-
     _prepare(folder)
     course = read_course(folder)
     with Gradebook(folder / "gradebook.sqlite") as gradebook:
@@ -137,13 +137,11 @@ def _prepare(folder: Path) -> None:
         if SECRET not in settings.read_text(encoding="utf-8"):
             raise CourseError(f"{folder} holds a course that is not the demonstration; name another folder")
         return
-    write_course(folder, "Kinegrade demonstration")
-    lines = settings.read_text(encoding="utf-8").splitlines()
-    lines = [f'secret = "{SECRET}"' if line.startswith("secret =") else line for line in lines]
-    lines = ["cell_seconds = 2" if line.startswith("cell_seconds") else line for line in lines]
-    write_atomically(settings, "\n".join(lines) + "\n")
     roster = [f"student{i:02},{habit.title}" for i, habit in enumerate(HABITS, 1)]
     write_atomically(folder / "roster.csv", "\n".join(["student,name", *roster]) + "\n")
+    lines = course_text("Kinegrade demonstration", SECRET).splitlines()
+    lines = ["cell_seconds = 2" if line.startswith("cell_seconds") else line for line in lines]
+    write_atomically(settings, "\n".join(lines) + "\n")  # last: with it, the folder is the demonstration
 
 
 def hand_in(course: Course, gradebook: Gradebook) -> None:

@@ -10,7 +10,7 @@ def printable(text: str) -> str:
 
 def no_formula(text: str) -> str:
     """Spreadsheets run cells that start like a formula."""
-    return f"'{text}" if text[:1] in "=+-@\t\r" else text
+    return f"'{text}" if text[:1] in "=+-@\t\r＝＋－＠" else text
 
 
 def no_markup(text: str) -> str:

@@ -147,8 +147,12 @@ class Gradebook:
         with self.transaction() as connection:
             connection.execute(_grades.delete().where(*_same(_grades, vars(key))))
             connection.execute(_grades.insert().values(**vars(key), verdicts=text))
-            connection.execute(_current.delete().where(*_same(_current, {"student": key.student, "sheet": key.sheet})))
-            connection.execute(_current.insert().values(**vars(key)))
+            _point_to(connection, key)
+
+    def make_current(self, key: GradeKey) -> None:
+        """An earlier grade counts again; where it already does, nothing is written."""
+        with self.transaction() as connection:
+            _point_to(connection, key)
 
     def current(self, sheet: str) -> dict[str, list[Verdict]]:
         """Student to verdicts: what counts now."""
@@ -156,6 +160,12 @@ class Gradebook:
         query = select(_grades.c.student, _grades.c.verdicts).where(*same, _current.c.sheet == sheet)
         with self.transaction() as connection:
             return {student: _verdicts(text) for student, text in connection.execute(query)}
+
+
+def _point_to(connection: Connection, key: GradeKey) -> None:
+    if connection.scalar(select(_current.c.student).where(*_same(_current, vars(key)))) is None:
+        connection.execute(_current.delete().where(*_same(_current, {"student": key.student, "sheet": key.sheet})))
+        connection.execute(_current.insert().values(**vars(key)))
 
 
 def _same(table: Table, key: Mapping[str, str]) -> list[ColumnElement[bool]]:

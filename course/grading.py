@@ -66,15 +66,28 @@ class _Work:
 class SheetMarker:
     """Marks the submissions of one sheet of a course."""
 
-    def __init__(self, course: Course, gradebook: Gradebook, sheet: Sheet, *, accept_change: bool = False) -> None:
-        """Reads the exercises and the records; with `accept_change`, moved references become the recorded ones."""
-        self.course, self.gradebook, self.sheet = course, gradebook, sheet
+    def __init__(
+        self, course: Course, gradebook: Gradebook, sheet: Sheet, *, accept_change: bool = False, again: bool = False
+    ) -> None:
+        """Reads the exercises and the records.
+
+        With `accept_change`, moved references become the recorded ones; with `again`, marked files are marked anew.
+
+        Raises:
+            CourseError: the sheet was handed out, but the gradebook knows nothing of it.
+        """
+        self.course, self.gradebook, self.sheet, self.again = course, gradebook, sheet, again
         self.exercises = exercises_of(course, sheet)
         self.limits = Limits(**course.settings.limits.model_dump())
         self._files = exercise_files(course.folder / "exercises")
         self._records: dict[str, dict[str, Record]] = {}
         self._moved: dict[str, frozenset[str]] = {}
         self._read_records(accept_change=accept_change)
+        if not self._records and any(course.folder.glob(f"released/*/{sheet.name}.ipynb")):
+            raise CourseError(
+                f"{course.folder / 'gradebook.sqlite'} knows nothing of sheet {sheet.name}, though it was released; "
+                "put the backup back, or run `kinegrade generate`, which draws the same numbers from the same secret"
+            )
 
     def _read_records(self, *, accept_change: bool) -> None:
         known = {exercise.slug: exercise for exercise in self.exercises}
@@ -134,8 +147,8 @@ class SheetMarker:
         moved = self._moved[student.id]
         key = GradeKey(student.id, self.sheet.name, digest(submission.data), self._rules(records, moved, submission))
         verdicts = self.gradebook.verdicts(key)
-        if verdicts is not None and all(verdict.status != "not_graded" for verdict in verdicts):
-            self.gradebook.save_grade(key, verdicts)  # it may not be the current one
+        if not self.again and verdicts is not None and all(verdict.status != "not_graded" for verdict in verdicts):
+            self.gradebook.make_current(key)
             return Result(student, self.sheet.name, tuple(verdicts))
         return _Work(student, submission, records, moved, key)
 
@@ -163,7 +176,7 @@ class SheetMarker:
                     error = future.exception()
                     yield futures[future], future.result() if error is None else _plain(error)
             finally:
-                pool.shutdown()  # stopped on the way, it does not run the rest of the class
+                pool.shutdown(cancel_futures=True)  # stopped on the way, it does not run the rest of the class
 
     def _mark(self, work: _Work, raws: dict[str, Raw] | Exception) -> Result:
         try:

@@ -137,15 +137,18 @@ def _counts(results: Sequence[Result], part: Part) -> str:
 
 
 def _figure(folder: Path, name: str) -> dict[str, str]:
-    """The map of a robot, drawn once per version."""
-    from ..grader.maps import describe, save
+    """The map of a robot and its description, made once per version."""
     from ..solutions.robots import robot
 
     file = f"{name}-{version('kinegrade')}.png"
-    if not (folder / file).exists():
+    text = (folder / file).with_suffix(".txt")
+    if not (folder / file).exists() or not text.exists():
+        from ..grader.maps import describe, save
+
         folder.mkdir(parents=True, exist_ok=True)
         save(robot(name), folder / file)
-    return {"file": file, "title": robot(name).title, "alt": describe(robot(name))}
+        write_atomically(text, describe(robot(name)))
+    return {"file": file, "title": robot(name).title, "alt": text.read_text(encoding="utf-8")}
 
 
 @cache

@@ -8,6 +8,7 @@ from ..grader.collect import Ask, Limits, collect
 from ..grader.named_matrices import from_csv, from_json
 from ..grader.wire import Raw
 from .config import CourseError
+from .escape import printable
 
 MAX_BYTES = 25 << 20
 Reader = Callable[[bytes, Sequence[Ask], Limits], dict[str, Raw]]
@@ -59,7 +60,7 @@ def strangers(folder: Path, students: Collection[str]) -> list[str]:
         names = sorted(path.name for path in (folder / "submitted").iterdir())
     except OSError:
         return []
-    return [name for name in names if name not in students and not name.startswith(".")]
+    return [printable(name) for name in names if name not in students and not name.startswith(".")]
 
 
 def read_submission(path: Path) -> Submission:

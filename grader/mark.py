@@ -12,13 +12,14 @@ from ..exercises.exercise import Exercise, Numbers, Part, TableOf, Variant, refe
 from ..solutions.table import Table
 from .compare import Mask, earning_entries, fraction, right_entries, varying_entries
 from .findings import findings, presentation
+from .follow import Others, is_trivial, may_be_followed, owner_of, zeros_pass
 from .read import Unreadable, read
 from .tolerance import tolerance
 from .verdict import Finding, Verdict, not_graded
 from .wire import Raw
 
 SAMPLE = 12  # draws that decide which entries vary between students
-SAME = 2e-3  # two answers this close were not computed from different numbers
+MOST_TEXT = 400  # of a sentence that repeats what a student's process said
 log = logging.getLogger(__name__)
 
 
@@ -30,12 +31,8 @@ class _Sheet:
     v: Variant
     reference: Mapping[str, Any]
     answers: Mapping[str, Any]
-    accepted: Mapping[str, bool]
+    verdicts: Mapping[str, Verdict]
     copied: Mapping[str, str]
-
-
-Others = Mapping[str, Mapping[str, Any]]
-"""Student to the recorded reference answers of that student's variant of the same exercise."""
 
 
 def mark(exercise: Exercise, v: Variant, raws: Mapping[str, Raw], others: Others | None = None) -> list[Verdict]:
@@ -45,18 +42,17 @@ def mark(exercise: Exercise, v: Variant, raws: Mapping[str, Raw], others: Others
     """
     reference = references(exercise, v)
     answers: dict[str, Any] = {}
-    accepted: dict[str, bool] = {}
+    verdicts: dict[str, Verdict] = {}
     copied: dict[str, str] = {}
-    verdicts: list[Verdict] = []
     for part in exercise.asked:
-        sheet = _Sheet(exercise, v, reference, answers, accepted, copied)
+        raw = raws.get(part.variable, Raw("missing"))
         try:
-            answer = read(part.answer, raws.get(part.variable, Raw("missing")), v)
+            answer = read(part.answer, raw, v)
         except Unreadable as error:
-            verdicts.append(_unreadable(part, raws.get(part.variable, Raw("missing")), str(error)))
+            verdicts[part.variable] = _unreadable(part, raw, str(error))
             continue
         try:
-            verdict = _judge(sheet, part, answer)
+            verdict = _judge(_Sheet(exercise, v, reference, answers, verdicts, copied), part, answer)
         except Exception:
             log.exception("%s could not be marked", part.variable)
             verdict = not_graded(part.variable, part.points, "The grader failed on this part; your answer is kept.")
@@ -64,16 +60,16 @@ def mark(exercise: Exercise, v: Variant, raws: Mapping[str, Raw], others: Others
             copied[part.variable] = owner
             found = Finding(f"This is the reference answer of {owner}'s variant.", private=True)
             verdict = replace(verdict, findings=(*verdict.findings, found))
-        answers[part.variable] = answer
-        accepted[part.variable] = verdict.status == "correct"
-        verdicts.append(verdict)
-    return verdicts
+        answers[part.variable], verdicts[part.variable] = answer, verdict
+    return list(verdicts.values())
 
 
 def _unreadable(part: Part, raw: Raw, sentence: str) -> Verdict:
     if raw.kind == "missing":
         return Verdict(part.variable, "missing", 0.0, part.points)
-    return Verdict(part.variable, "failed", 0.0, part.points, (Finding(sentence[:1].upper() + sentence[1:] + "."),))
+    said = sentence[:MOST_TEXT]
+    text = f"In your file: {said}." if raw.kind == "error" else f"{said[:1].upper()}{said[1:]}."
+    return Verdict(part.variable, "failed", 0.0, part.points, (Finding(text),))
 
 
 def _judge(sheet: _Sheet, part: Part, answer: Any) -> Verdict:
@@ -104,10 +100,14 @@ def _compare(sheet: _Sheet, part: Part, given: Mapping[str, Any], answer: Any) -
 
 
 def _share(sheet: _Sheet, part: Part, right: Mask) -> float:
-    earning = earning_entries(part, sheet.reference[part.variable], _varying(sheet.exercise)[part.variable], sheet.v)
+    earning = _earning(sheet, part)
     if isinstance(part.answer, TableOf):  # a wrong constant voids its joint's row
         return fraction(right.T, earning.T, part.credit)
     return fraction(right, earning, part.credit)
+
+
+def _earning(sheet: _Sheet, part: Part) -> Mask:
+    return earning_entries(part, sheet.reference[part.variable], _varying(sheet.exercise)[part.variable], sheet.v)
 
 
 def _worthless(sheet: _Sheet, part: Part, given: Mapping[str, Any], wanted: Any, answer: Any, right: Mask) -> bool:
@@ -124,18 +124,22 @@ def _follow(sheet: _Sheet, part: Part, answer: Any) -> Verdict | None:
     Answers that were accepted though they differ from the reference keep the full share; wrong ones earn `follow`.
     """
     own = [name for name in part.needs if name in sheet.answers]
-    if not own or part.follow == 0 or any(name in sheet.copied for name in own):
+    if (
+        not own
+        or part.follow == 0
+        or not all(may_be_followed(sheet.verdicts[name], name in sheet.copied) for name in own)
+    ):
         return None
     given = {name: sheet.answers.get(name, sheet.reference[name]) for name in part.needs}
     try:
         with np.errstate(all="ignore"):
             wanted = solve(sheet.exercise.slug, part, sheet.v, given)
-            if any(_trivial(sheet.reference[name], value) for name, value in (given | {part.variable: wanted}).items()):
+            if _is_easier(sheet, part, given, wanted):
                 return None
             verdict = _compare(sheet, part, given, answer)
     except Exception:  # noqa: BLE001 - solve() on a student's data may fail in any way; then nothing follows from it
         return None
-    wrong = " and ".join(name for name in own if not sheet.accepted[name])
+    wrong = " and ".join(name for name in own if sheet.verdicts[name].status != "correct")
     if not wrong:
         return verdict
     all_right = verdict.status == "correct"
@@ -145,29 +149,15 @@ def _follow(sheet: _Sheet, part: Part, answer: Any) -> Verdict | None:
     return replace(verdict, status=status, points=points, findings=(*verdict.findings, noted))
 
 
-def owner_of(part: Part, answer: Any, others: Others) -> str:
-    """The student whose variant an answer of numbers is right for; empty when there is none."""
-    if not isinstance(part.answer, Numbers):
-        return ""
-    for student, answers in others.items():
-        theirs = np.asarray(answers.get(part.variable, np.nan), dtype=float)
-        if theirs.shape == answer.shape and np.abs(theirs - answer).max() <= SAME:
-            return student
-    return ""
-
-
-def _trivial(reference: Any, own: Any) -> bool:
-    """Whether own data, or what follows from them, are easier than they should be: fewer numbers or a lower rank."""
-    if isinstance(own, Table):
-        return False
-    if own.ndim == 2 and np.linalg.matrix_rank(own, 1e-6) < np.linalg.matrix_rank(reference, 1e-6):
+def _is_easier(sheet: _Sheet, part: Part, given: Mapping[str, Any], wanted: Any) -> bool:
+    """Whether the student's own data made the part easier than it is."""
+    values = {**given, part.variable: wanted}
+    if any(is_trivial(sheet.reference[name], value) for name, value in values.items()):
         return True
-    return 4 * _different_numbers(own) < 3 * _different_numbers(reference)
-
-
-def _different_numbers(array: Any) -> int:
-    sizes = np.unique(np.round(np.abs(np.asarray(array, dtype=np.float64)), 4))
-    return int(((sizes != 0) & (sizes != 1)).sum())
+    if not isinstance(part.answer, Numbers):
+        return False
+    allowed = tolerance(sheet.exercise.slug, part, sheet.v, given, sheet.exercise.scale(sheet.v))
+    return zeros_pass(wanted, allowed, _earning(sheet, part))
 
 
 @lru_cache(maxsize=64)

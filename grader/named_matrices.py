@@ -16,7 +16,7 @@ MAX_BYTES = 2 << 20
 def from_json(data: bytes, asks: Sequence[Ask]) -> dict[str, Raw]:
     """Values of a JSON object such as {"rrt_J": [[...], ...]}; a broken file is an error of every answer."""
     try:
-        values: Any = json.loads(_decode(data))
+        values: Any = json.loads(_decode(data), parse_int=float)
     except (ValueError, RecursionError) as error:
         return _all(asks, f"the file is not JSON: {error}")
     if not isinstance(values, dict):
@@ -73,15 +73,21 @@ def _raw(value: Any) -> Raw:
         return Raw("error", str(error))
     if any(isinstance(x, str) for x in flat):
         return Raw("text", value)
-    if not all(isinstance(x, int | float) and not isinstance(x, bool) for x in flat):
-        return Raw("error", f"not a matrix of numbers: it holds {json.dumps(value)[:60]}")
+    for x in flat:
+        if not isinstance(x, float):
+            kind = {"dict": "an object", "bool": "true or false", "NoneType": "null"}.get(
+                type(x).__name__, "something else"
+            )
+            return Raw("error", f"not a matrix of numbers: it holds {kind}")
     return Raw("num", np.array(flat, dtype=float).reshape(shape))
 
 
-def _flatten(value: Any) -> tuple[list[int], list[Any]]:
+def _flatten(value: Any, depth: int = 4) -> tuple[list[int], list[Any]]:
     if not isinstance(value, list):
         return [], [value]
-    parts = [_flatten(item) for item in value]  # pyright: ignore[reportUnknownVariableType]
+    if depth == 0:
+        raise ValueError("not a matrix: it is nested too deeply")
+    parts = [_flatten(item, depth - 1) for item in value]  # pyright: ignore[reportUnknownVariableType]
     shapes = {tuple(shape) for shape, _ in parts}
     if len(shapes) > 1:
         raise ValueError("not a matrix: its rows have different lengths")

@@ -11,6 +11,10 @@ from ..solutions.errors import KinegradeError
 from ..solutions.table import Table, read_table
 from .wire import Raw
 
+THETA = 0
+DUST = 1e-12
+SAME_ANGLE = 2e-3  # of a quarter turn
+
 
 class Unreadable(KinegradeError):
     """An answer that cannot be judged; the sentence is for the student."""
@@ -65,16 +69,19 @@ def _table(answer: TableOf, raw: Raw, v: Variant) -> Table:
     for i, (row, kind) in enumerate(zip(cells, answer.kinds, strict=True)):
         _complete(row, "RP".index(kind), i, v)
     try:
-        return read_table(cells, names, answer.convention)
+        table = read_table(cells, names, answer.convention)
+        values = {name: v[name] for name in names if name not in joints}
+        table.numbers({**values, **dict(zip(joints, v["q"], strict=True))})  # every cell has a value
     except KinegradeError as error:
         raise Unreadable(str(error)) from error
+    return table
 
 
-def _cells(raw: Raw, shape: tuple[int, int]) -> list[list[Any]]:
+def _cells(raw: Raw, shape: tuple[int, int]) -> list[list[str]]:
     if raw.kind == "num":
         array = raw.value
-        if array.shape == shape and np.isfinite(array).all():
-            return array.tolist()
+        if array.shape == shape and np.isfinite(array).all() and not np.iscomplexobj(array):
+            return [[_typed(float(x)) for x in row] for row in array]
         raise Unreadable(f"takes a table of shape {shape}: theta, d, a, alpha for each joint, got {array.shape}")
     given: Any = raw.value
     cells = cast("list[Any]", given) if isinstance(given, list) else []
@@ -82,18 +89,36 @@ def _cells(raw: Raw, shape: tuple[int, int]) -> list[list[Any]]:
         raise Unreadable(f"takes a list of {shape[0]} rows, got {_clip(raw.value)}")
     counts = [len(row) for row in cells]
     if counts != [shape[1]] * shape[0]:
-        raise Unreadable(f"takes {shape[0]} rows of theta, d, a, alpha, got rows of {counts} cells")
-    return [[cell if isinstance(cell, str) else str(cell) for cell in row] for row in cells]
+        raise Unreadable(f"takes {shape[0]} rows of theta, d, a, alpha, got rows of {_clip(counts)} cells")
+    return [[_cell(cell) for cell in row] for row in cells]
 
 
-def _complete(row: list[Any], at: int, joint: int, v: Variant) -> None:
-    """A number where the joint variable belongs is read as the value at the student's q."""
+def _cell(cell: Any) -> str:
     try:
-        value = float(row[at])
+        return _typed(float(cell))
+    except (TypeError, ValueError, OverflowError):
+        return cell if isinstance(cell, str) else str(cell)
+
+
+def _typed(number: float) -> str:
+    """A number as text; cos(pi/2) is 6e-17 and means zero."""
+    return repr(0.0 if abs(number) < DUST else number)
+
+
+def _complete(row: list[str], at: int, joint: int, v: Variant) -> None:
+    """A number where the joint variable belongs is read as the value at the student's q.
+
+    In theta it may differ from q by quarter turns, the offsets that tables have; anything else is another q.
+    """
+    try:
+        offset = float(row[at]) - v["q"][joint]
     except ValueError:
         return
-    if np.isfinite(value):
-        row[at] = f"q{joint + 1} + ({value - v['q'][joint]!r})"
+    turns = offset / (np.pi / 2)
+    if at == THETA and abs(turns - round(turns)) > SAME_ANGLE:
+        raise Unreadable(f"row {joint + 1}, theta: takes q{joint + 1}, or your value of it, got {_clip(row[at])}")
+    if np.isfinite(offset):
+        row[at] = f"q{joint + 1} + ({_typed(round(offset, 9))})"
 
 
 def _clip(value: Any) -> str:

@@ -4,6 +4,7 @@ import json
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import islice
 from typing import Annotated, Any, Literal, Self
 
 import numpy as np
@@ -46,7 +47,7 @@ class _Numeric(_Checked):
 
 class _Text(_Checked):
     k: Literal["text"]
-    v: Text | list[Text | list[Text | list[Text]]]
+    v: Text | Annotated[list[Text | Annotated[list[Text], Field(max_length=64)]], Field(max_length=64)]
 
 
 class _Nothing(_Checked):
@@ -76,9 +77,24 @@ def read_frame(frame: bytes, names: Sequence[str], why: str) -> dict[str, Raw]:
     return {name: nothing if raw.kind == "missing" else raw for name, raw in found.items()}
 
 
+def _items(value: Any, depth: int = 4) -> int:
+    """How much is in a value, counted no further than it takes to know that it is too much."""
+    if depth == 0 or not isinstance(value, list | dict):
+        return 1
+    parts: Any = value.values() if isinstance(value, dict) else value  # pyright: ignore[reportUnknownMemberType, reportUnknownVariableType]
+    count = len(parts)
+    for part in islice(parts, 3 * MAX_ELEMENTS):
+        count += _items(part, depth - 1)
+        if count > 3 * MAX_ELEMENTS:
+            break
+    return count
+
+
 def _read_value(data: Any) -> Raw:
     if data is None:
         return Raw("missing", "")
+    if isinstance(data, dict) and _items(data.get("v")) > 3 * MAX_ELEMENTS:  # before errors are listed one by one  # pyright: ignore[reportUnknownMemberType]
+        return Raw("error", "the value is too large to be marked")
     try:
         value = _Value.model_validate({"value": data}).value
     except (ValidationError, RecursionError):

@@ -5,7 +5,6 @@ import sys
 from dataclasses import dataclass
 
 import pytest
-
 from kinegrade.course.cli import main
 from kinegrade.course.config import Sheet, read_course
 from kinegrade.course.gradebook import Gradebook
@@ -14,7 +13,7 @@ from kinegrade.exercises.catalogue import load
 from kinegrade.exercises.exercise import references
 
 SECRET = "a secret for tests, long enough"  # noqa: S105
-CLASS = (("ada", "Ada Lovelace"), ("ben", "Ben Bot"), ("cyd", "Cyd, the \"third\""))
+CLASS = (("ada", "Ada Lovelace"), ("ben", "Ben Bot"), ("cyd", 'Cyd, the "third"'))
 BUNDLED = ("three_axis", "rrt", "puma_velocities")
 LEVER = '''
 """An exercise without figures, so that a class is drawn and marked in no time."""

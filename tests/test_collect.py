@@ -83,6 +83,9 @@ def test_what_is_no_matrix_says_what_it_is(code, kind, words):
         ("while True:\n    x = None", "ran longer than 1 s"),
         ("try:\n    while True: pass\nexcept Exception:\n    pass\nx = 1", "ran longer"),
         ("x = undefined_name", "undefined_name"),
+        ("y = x = 1 / 0", "ZeroDivisionError"),
+        ("if True:\n    x, y = (1, 2, 3)", "ValueError"),
+        ("y = x = [1, 2", "is not Python"),
         ("import sys\nx = sys.exit(3)", "SystemExit"),
         ("x = 'a' * 10**11", "more memory"),
         ("from kinegrade.solutions.jacobian import jacobian\nx = jacobian", "ModuleNotFoundError"),
@@ -104,7 +107,7 @@ def test_a_failing_cell_costs_its_own_answer_and_says_why(code, words):
     [
         "import os\nos._exit(0)",
         "import os, signal\nos.kill(os.getpid(), signal.SIGKILL)",
-        "import signal\nsignal.signal(signal.SIGALRM, signal.SIG_IGN)\nwhile True: pass",
+        "from signal import *\nfor bell in (SIGALRM, SIGPROF): signal(bell, SIG_IGN)\nwhile True: pass",
         "import ctypes\nctypes.string_at(0)",
     ],
 )
@@ -119,6 +122,18 @@ def test_a_value_that_loops_while_it_is_read_costs_only_itself():
     code = "class A:\n    def __array__(self, *a, **k):\n        while True: pass\nx = A()"
     found = run("a = 1", code, "b = 2", names=("a", "x", "b"), limits=LOOPS)
     assert (found["x"].kind, value(found["a"]), value(found["b"])) == ("error", 1, 2)
+
+
+def test_a_cell_that_only_waits_is_stopped_too():
+    found = run("import time\ntime.sleep(600)\nx = 1", "y = 2", names=("x", "y"), limits=LOOPS)
+    assert "ran longer" in found["x"].value
+    assert value(found["y"]) == 2
+
+
+def test_thousands_of_nested_folders_are_cleared_away(tmp_path, monkeypatch):
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    run("import os\nfor _ in range(3000):\n    os.mkdir('d')\n    os.chdir('d')\nx = 1")
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_children_of_a_notebook_do_not_outlive_it(tmp_path):
@@ -161,6 +176,10 @@ def test_what_is_no_notebook_is_an_error_with_a_sentence_or_simply_unanswered(da
     raw = collect(data, [Ask("x")], LIMITS)["x"]
     assert raw.kind in ("error", "missing")
     assert raw.kind == "missing" or "notebook" in raw.value
+
+
+def test_a_byte_order_mark_before_a_notebook_is_skipped():
+    assert value(collect(b"\xef\xbb\xbf" + notebook("x = 1"), [Ask("x")], LIMITS)["x"]) == 1
 
 
 def test_an_old_notebook_with_worksheets_is_read():

@@ -24,7 +24,7 @@ def test_a_new_course_is_read_as_it_was_written(tmp_path):
     course = read_course(tmp_path / "deep" / "course")
     assert [sheet.name for sheet in course.settings.sheet] == ["jacobian"]
     assert [student.id for student in course.students] == ["student01", "student02"]
-    assert (course.settings.limits.cell_seconds, course.settings.limits.notebook_seconds) == (5, 30)
+    assert (course.settings.limits.cell_seconds, course.settings.limits.notebook_seconds) == (5, 60)
 
 
 def test_every_new_course_has_a_secret_of_its_own_and_comments(tmp_path):
@@ -133,7 +133,10 @@ def test_sheets_are_found_by_name_and_a_wrong_name_gets_the_nearest(tmp_path):
     ],
 )
 def test_a_roster_is_read_however_a_spreadsheet_wrote_it(tmp_path, text):
-    assert [(student.id, student.name) for student in roster(tmp_path, text)] == [("ada", "Ada Lovelace"), ("ben", "Ben")]
+    assert [(student.id, student.name) for student in roster(tmp_path, text)] == [
+        ("ada", "Ada Lovelace"),
+        ("ben", "Ben"),
+    ]
 
 
 def test_a_name_may_be_missing_or_hold_anything(tmp_path):
@@ -141,7 +144,9 @@ def test_a_name_may_be_missing_or_hold_anything(tmp_path):
     assert [student.name for student in read] == ["ada", 'Bot, "Ben" <b>', "Çağ rı"]
 
 
-@pytest.mark.parametrize("student", ["../x", "a/b", ".hidden", "-rf", "CON", "nul.txt", "Lpt1", "a b", "ä", "x" * 65, "a.", ""])
+@pytest.mark.parametrize(
+    "student", ["../x", "a/b", ".hidden", "-rf", "CON", "nul.txt", "Lpt1", "a b", "ä", "x" * 65, "a.", ""]
+)
 def test_an_id_that_cannot_name_a_folder_everywhere_is_refused_with_its_line(tmp_path, student):
     with pytest.raises(CourseError, match=r"roster.csv, line 3: a student takes an id of letters, digits") as error:
         roster(tmp_path, f"student,name\nada,Ada\n{student},Somebody\n")

@@ -62,7 +62,7 @@ def test_the_grade_saved_last_is_the_current_one_and_the_others_are_kept(gradebo
     gradebook.save_grade(later, better)
     assert gradebook.current("one") == {"ada": better}
     assert gradebook.verdicts(KEY) == VERDICTS
-    gradebook.save_grade(KEY, VERDICTS)
+    gradebook.make_current(KEY)
     assert gradebook.current("one") == {"ada": VERDICTS}
     assert gradebook.verdicts(later) == better
 
@@ -96,7 +96,9 @@ def test_a_folder_may_have_any_name(tmp_path, folder):
 def test_a_file_that_is_no_database_is_refused_and_left_as_it_is(tmp_path):
     path = tmp_path / "gradebook.sqlite"
     path.write_bytes(b"student,points\nada,5\n" * 100)
-    with pytest.raises(CourseError, match=r"gradebook.sqlite: not a gradebook that can be used: file is not a database"):
+    with pytest.raises(
+        CourseError, match=r"gradebook.sqlite: not a gradebook that can be used: file is not a database"
+    ):
         Gradebook(path)
     assert path.read_bytes() == b"student,points\nada,5\n" * 100
 

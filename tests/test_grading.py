@@ -30,6 +30,7 @@ def count(connection, cursor, statement, *rest):
         left[0] -= 1
 graded(Path(sys.argv[1]))
 """
+COUNTS = ("SELECT count(*) FROM grade", "SELECT count(*) FROM current")
 
 
 def graded(folder, *, accept_change=False):
@@ -259,10 +260,18 @@ def test_parts_whose_reference_moved_wait_until_the_change_is_accepted(folder):
     assert "`kinegrade grade --accept-change`" in said(found)
     assert found.points is None
     accepted = graded(folder, accept_change=True)["ada"]
-    assert [(verdict.status, verdict.points) for verdict in accepted.verdicts][0] == ("correct", 2)
+    assert (accepted.verdicts[0].status, accepted.verdicts[0].points) == ("correct", 2)
     assert statuses(accepted)[1] in ("partly", "incorrect")
     assert graded(folder)["ada"] == accepted
     assert before["ada"].points == 5
+
+
+def test_parts_wait_that_moved_though_no_exercise_was_edited(folder, monkeypatch):
+    before = graded(folder)
+    monkeypatch.setattr(grading, "moved_parts", lambda *_: ["lever_J"])
+    assert statuses(graded(folder)["ada"]) == ["correct", "not_graded"]
+    monkeypatch.undo()
+    assert graded(folder) == before
 
 
 def test_an_edit_that_is_taken_back_brings_the_grades_back(folder):
@@ -289,7 +298,8 @@ def test_an_exercise_that_needs_numbers_it_did_not_draw_waits_and_cannot_be_acce
         graded(folder, accept_change=True)
 
 
-def test_somebody_elses_answers_are_named_to_the_instructor_only(folder):
+def test_somebody_elses_answers_are_named_to_the_instructor_only(folder, monkeypatch):
+    monkeypatch.setattr("kinegrade.grader.follow.TELLING", 1)  # a lever has few numbers
     put(folder, "ben", answers(folder, "ada"))
     result = graded(folder)["ben"]
     told = [finding for verdict in result.verdicts for finding in verdict.findings if "ada" in finding.text]
@@ -298,7 +308,15 @@ def test_somebody_elses_answers_are_named_to_the_instructor_only(folder):
     assert result.points == 0
 
 
-@pytest.mark.parametrize("statements", [0, 1, 3, 4])
+def test_nobody_copies_from_oneself(folder):
+    close = answers(folder, "ben")["lever_p"] + 1.5e-3
+    put(folder, "ben", {"lever_p": close})
+    result = graded(folder)["ben"]
+    assert result.verdicts[0].status != "correct"
+    assert "ben" not in said(result)
+
+
+@pytest.mark.parametrize("statements", [1, 4])
 def test_a_run_killed_inside_a_transaction_is_finished_by_the_next_with_the_same_grades(folder, tmp_path, statements):
     put(folder, "ada", {"lever_p": [9.0, 9.0]})
     command = [sys.executable, "-c", KILLED, str(folder), str(statements)]
@@ -306,7 +324,7 @@ def test_a_run_killed_inside_a_transaction_is_finished_by_the_next_with_the_same
     killed = subprocess.run(command, env={**os.environ, "PYTHONPATH": path}, check=False)
     assert killed.returncode == -signal.SIGKILL
     with sqlite3.connect(folder / "gradebook.sqlite") as connection:
-        kept = [connection.execute(f"SELECT count(*) FROM {name}").fetchone()[0] for name in ("grade", "current")]
+        kept = [connection.execute(query).fetchone()[0] for query in COUNTS]
     connection.close()
     assert kept == [statements // 2] * 2
     undisturbed = handed_out(make_course(tmp_path / "undisturbed"))
@@ -346,3 +364,22 @@ def test_a_stopped_run_does_not_read_the_rest_of_the_class(folder, monkeypatch):
     with pytest.raises(KeyboardInterrupt):
         graded(folder)
     assert len(read) <= 2
+
+
+def test_marked_files_are_marked_anew_only_when_asked(folder, monkeypatch):
+    put(folder, "ada", answers(folder, "ada"))
+    graded(folder)
+    seen = []
+    monkeypatch.setattr("kinegrade.course.grading.mark", lambda *_: seen.append(1) or [])
+    graded(folder)
+    assert seen == []
+    course = read_course(folder)
+    with Gradebook(folder / "gradebook.sqlite") as gradebook:
+        SheetMarker(course, gradebook, course.sheets()[0], again=True).results()
+    assert seen
+
+
+def test_a_lost_gradebook_is_not_taken_for_an_empty_one(folder):
+    (folder / "gradebook.sqlite").unlink()
+    with pytest.raises(CourseError, match="knows nothing of sheet"):
+        graded(folder)

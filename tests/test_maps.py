@@ -6,10 +6,13 @@ import struct
 import subprocess
 import sys
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 import pytest
+from kinegrade.grader import maps
 from kinegrade.grader.maps import FigureError, describe, figure, joint_map, save
+from kinegrade.solutions import workspace
 from kinegrade.solutions.robots import ROBOTS, Robot
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
@@ -25,34 +28,50 @@ SCARA = Robot(
     source="chosen here",
     task_rows=(0, 1, 2, 5),
 )
-FIGURES = {name: figure(robot) for name, robot in ROBOTS.items()}
-DESCRIPTIONS = {name: describe(robot) for name, robot in ROBOTS.items()}
+drawn = cache(lambda name: figure(ROBOTS[name]))
+drawn_again = cache(lambda name: figure(ROBOTS[name]))
+described = cache(lambda name: describe(ROBOTS[name]))
+mapped = cache(lambda name: joint_map(ROBOTS[name]))
 
 
-def _texts(drawn: Figure) -> str:
-    return "\n".join(text.get_text() for text in drawn.findobj(Text) if isinstance(text, Text))
+def _texts(picture: Figure) -> str:
+    return "\n".join(text.get_text() for text in picture.findobj(Text) if isinstance(text, Text))
+
+
+@pytest.fixture
+def coarse(monkeypatch):
+    """Rasters of a few samples, in a cache of their own."""
+    monkeypatch.setattr(workspace, "SAMPLES", 41)
+    monkeypatch.setattr(maps, "SAMPLES", 41)
+    monkeypatch.setattr(maps, "_found", cache(maps._found.__wrapped__))
+
+
+@pytest.fixture
+def ready(monkeypatch):
+    """Saves the figure that is drawn already."""
+    monkeypatch.setattr(maps, "figure", lambda robot, _parameters: drawn(robot.name))
 
 
 @pytest.mark.parametrize("name", ROBOTS)
 def test_every_robot_has_three_panels_that_name_its_factors(name):
-    drawn = FIGURES[name]
-    assert len(drawn.axes) == 3
-    legends = _texts(drawn).replace("\n", " ")
-    for curve, _ in joint_map(ROBOTS[name]).curves:
+    picture = drawn(name)
+    assert len(picture.axes) == 3
+    legends = _texts(picture).replace("\n", " ")
+    for curve, _ in mapped(name).curves:
         assert curve in legends
 
 
 @pytest.mark.parametrize("name", ROBOTS)
 def test_nothing_is_drawn_beyond_the_paper(name):
-    drawn = FIGURES[name]
-    renderer = FigureCanvasAgg(drawn).get_renderer()
-    for text in drawn.findobj(Text):
+    picture = drawn(name)
+    renderer = FigureCanvasAgg(picture).get_renderer()
+    for text in picture.findobj(Text):
         if isinstance(text, Text) and text.get_visible() and text.get_text().strip():
             box = text.get_window_extent(renderer)
             assert box.x0 > -1
             assert box.y0 > -1
-            assert box.x1 < drawn.bbox.width + 1
-            assert box.y1 < drawn.bbox.height + 1
+            assert box.x1 < picture.bbox.width + 1
+            assert box.y1 < picture.bbox.height + 1
 
 
 @pytest.mark.parametrize(
@@ -66,21 +85,21 @@ def test_nothing_is_drawn_beyond_the_paper(name):
     ],
 )
 def test_the_title_prints_the_determinant(name, formula):
-    assert rf"$\det\mathbf{{A}}={formula}$" in _texts(FIGURES[name])
+    assert rf"$\det\mathbf{{A}}={formula}$" in _texts(drawn(name))
 
 
 def test_the_pumas_map_draws_both_elbow_lines_over_its_whole_width():
-    elbow = dict(joint_map(ROBOTS["puma560"]).curves)["elbow: arm straight or folded"]
-    drawn = [line.get_xydata() for line in FIGURES["puma560"].axes[0].lines]
+    elbow = dict(mapped("puma560").curves)["elbow: arm straight or folded"]
+    lines = [line.get_xydata() for line in drawn("puma560").axes[0].lines]
     for line in elbow:
         assert np.ptp(line[:, 0]) == pytest.approx(2 * np.pi)
-        assert any(np.array_equal(line, other) for other in drawn)
+        assert any(np.array_equal(line, other) for other in lines)
     assert sorted(round(float(np.degrees(line[0, 1])), 3) for line in elbow) == [-87.308, 92.692]
 
 
 @pytest.mark.parametrize("name", ROBOTS)
 def test_the_map_is_dark_on_the_named_curves_and_nowhere_else(name):
-    found = joint_map(ROBOTS[name])
+    found = mapped(name)
     lines = np.concatenate([line for _, curves in found.curves for line in curves])
     place = (lines - np.array(found.spans)[:, 0]) / np.diff(found.spans, axis=1)[:, 0]
     column, row = np.minimum((place * 181).astype(int), 180).T
@@ -93,20 +112,25 @@ def test_the_map_is_dark_on_the_named_curves_and_nowhere_else(name):
     assert found.sigma[~near].min() > 3e-4 * top
 
 
+@pytest.mark.usefixtures("coarse")
+def test_a_changed_length_changes_the_numbers():
+    assert "0.5 m to 1.5 m" in describe(ROBOTS["planar_2r"], {"l2": 0.5})
+
+
 def test_the_description_states_the_finding_with_numbers():
-    text = DESCRIPTIONS["puma560"]
+    text = described("puma560")
     for number in ("-87.31°", "92.69°", "0.15 m", "0.877 m", "0.15005 m"):
         assert number in text
-    assert "changes sign across shoulder, but not across stroke" in DESCRIPTIONS["rrt_spherical"]
-    assert "0.3 m to 1.7 m" in DESCRIPTIONS["planar_2r"]
-    assert "0.5 m to 1.5 m" in describe(ROBOTS["planar_2r"], {"l2": 0.5})
+    assert "changes sign across shoulder, but not across stroke" in described("rrt_spherical")
+    assert "0.3 m to 1.7 m" in described("planar_2r")
 
 
 @pytest.mark.parametrize("name", ROBOTS)
 def test_no_description_has_an_empty_pair_of_brackets_or_a_nan(name):
-    assert not re.search(r"\(\)|nan|inf\b|  ", DESCRIPTIONS[name])
+    assert not re.search(r"\(\)|nan|inf\b|  ", described(name))
 
 
+@pytest.mark.usefixtures("coarse")
 @pytest.mark.parametrize("robot", [SCARA, replace(ROBOTS["planar_2r"], factors=())], ids=["scara", "planar_2r"])
 def test_a_robot_without_factors_still_has_a_map(robot):
     assert len(figure(robot).axes) == 3
@@ -120,8 +144,10 @@ def test_a_robot_of_one_joint_is_refused_with_a_sentence():
 
 
 @pytest.mark.parametrize(("suffix", "start"), [("png", b"\x89PNG"), ("svg", b"<?xml"), ("pdf", b"%PDF")])
-def test_saving_twice_gives_the_same_bytes_and_leaves_nothing_else(tmp_path, suffix, start):
-    for name in ("one", "two"):
+def test_saving_twice_gives_the_same_bytes_and_leaves_nothing_else(tmp_path, monkeypatch, suffix, start):
+    for name, draw, day in (("one", drawn, 1), ("two", drawn_again, 2)):
+        monkeypatch.setenv("SOURCE_DATE_EPOCH", str(86_400 * day))
+        monkeypatch.setattr(maps, "figure", lambda robot, _parameters, draw=draw: draw(robot.name))
         save(ROBOTS["planar_2r"], tmp_path / f"{name}.{suffix}")
     one, two = ((tmp_path / f"{name}.{suffix}").read_bytes() for name in ("one", "two"))
     assert one == two
@@ -130,16 +156,19 @@ def test_saving_twice_gives_the_same_bytes_and_leaves_nothing_else(tmp_path, suf
     assert len(list(tmp_path.iterdir())) == 2
 
 
+@pytest.mark.usefixtures("ready")
 def test_the_png_is_1200_pixels_wide(tmp_path):
     save(ROBOTS["planar_2r"], tmp_path / "arm.png")
     assert struct.unpack(">I", (tmp_path / "arm.png").read_bytes()[16:20]) == (1200,)
 
 
+@pytest.mark.usefixtures("ready")
 def test_a_failed_save_leaves_the_old_file_and_no_other(tmp_path, monkeypatch):
     path = tmp_path / "arm.png"
     path.write_bytes(b"old")
 
-    def broken(*_args, **_options):
+    def broken(_figure, unfinished, **_options):
+        unfinished.write_bytes(b"half")
         raise OSError("disk full")
 
     monkeypatch.setattr(Figure, "savefig", broken)
@@ -156,8 +185,9 @@ def test_another_suffix_is_refused_with_a_sentence(tmp_path):
 def test_figures_leave_the_style_of_others_alone_and_pyplot_unloaded():
     code = (
         "import sys, matplotlib; before = matplotlib.rcParams.copy();"
-        "from kinegrade.grader.maps import figure; from kinegrade.solutions.robots import ROBOTS;"
-        "figure(ROBOTS['planar_2r']); assert not {'matplotlib.pyplot', 'sympy'} & set(sys.modules);"
+        "from kinegrade.grader import maps; from kinegrade.solutions import workspace;"
+        "from kinegrade.solutions.robots import ROBOTS; maps.SAMPLES = workspace.SAMPLES = 41;"
+        "maps.figure(ROBOTS['planar_2r']); assert not {'matplotlib.pyplot', 'sympy'} & set(sys.modules);"
         "assert all(matplotlib.rcParams[k] == before[k] for k in before if k != 'backend')"
     )
     subprocess.run([sys.executable, "-W", "error", "-c", code], check=True)

@@ -103,20 +103,62 @@ def test_rates_from_a_trivial_jacobian_earn_nothing(J):
 
 
 def test_data_of_another_student_are_not_followed_through():
-    exercise = EXERCISES["three_axis"]
-    theirs = references(exercise, variant_of("three_axis", 5))
-    plain = verdicts_of("three_axis", theirs)
-    seen = verdicts_of("three_axis", theirs, others={"neighbour": {k: x.tolist() for k, x in theirs.items()}})
-    assert plain["three_axis_A"].points == 3
-    assert seen["three_axis_A"].points < 0.5  # what agrees by chance
-    private = [finding.text for finding in seen["three_axis_p"].findings if finding.private]
-    assert private == ["This is the reference answer of neighbour's variant."]
+    exercise, v = EXERCISES["three_axis"], variant_of("three_axis")
+    own = references(exercise, v)
+    p = own["three_axis_p"].copy()
+    p[:, 2:] += 0.1  # partly right, so that A may follow from it
+    A = exercise.parts[2].solve(v, {"three_axis_p": p, "three_axis_z": own["three_axis_z"]})
+    sheet = raws(own | {"three_axis_p": p, "three_axis_A": A})
+    _, _, alone, *_ = mark(exercise, v, sheet)
+    first, _, seen, *_ = mark(exercise, v, sheet, {"neighbour": {"three_axis_p": p.tolist()}})
+    assert (alone.status, alone.points) == ("correct", 3)
+    assert seen.points < 3
+    assert [f.text for f in first.findings if f.private] == ["This is the reference answer of neighbour's variant."]
+
+
+def test_a_joint_axis_that_many_share_tells_nobody_whose_it_is():
+    z = -references(EXERCISES["three_axis"], variant_of("three_axis"))["three_axis_z"]
+    verdict = verdicts_of("three_axis", {"three_axis_z": z}, others={"neighbour": {"three_axis_z": z.tolist()}})
+    assert not any(finding.private for finding in verdict["three_axis_z"].findings)
+
+
+def test_a_named_mistake_is_followed_through():
+    exercise, v = EXERCISES["three_axis"], variant_of("three_axis")
+    own = references(exercise, v)
+    z = -own["three_axis_z"]
+    A = exercise.parts[2].solve(v, {"three_axis_p": own["three_axis_p"], "three_axis_z": z})
+    verdicts = verdicts_of("three_axis", {"three_axis_z": z, "three_axis_A": A})
+    assert verdicts["three_axis_z"].points == 0
+    assert verdicts["three_axis_A"].points == 3
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_numbers_made_up_are_not_followed_through(seed):
+    """One made-up sheet for a whole class: consistent with itself, right for nobody."""
+    rng = np.random.default_rng(seed)
+    for slug in ("rrt", "puma_velocities", "three_axis"):
+        exercise, v = EXERCISES[slug], variant_of(slug, seed)
+        made_up = {part.variable: rng.uniform(-1, 1, getattr(part.answer, "shape", (3, 4))) for part in exercise.parts}
+        for part in exercise.parts[1:]:
+            given = {name: made_up[name] for name in part.needs}
+            if part.needs and slug != "rrt":
+                made_up[part.variable] = part.solve(v, given)
+        assert sum(verdict.points or 0 for verdict in mark(exercise, v, raws(made_up))) < 0.5
+
+
+def test_zeros_do_not_follow_from_tiny_numbers():
+    exercise, v = EXERCISES["three_axis"], variant_of("three_axis")
+    own = references(exercise, v)
+    rng = np.random.default_rng(0)
+    p = np.repeat(own["three_axis_p"][:, :1], 4, axis=1) + 5e-5 * rng.uniform(-1, 1, (3, 4))
+    verdicts = verdicts_of("three_axis", {"three_axis_p": p, "three_axis_A": np.zeros((3, 3))})
+    assert verdicts["three_axis_A"].points == 0
 
 
 def test_an_unreadable_answer_does_not_cost_the_later_parts():
     verdicts = verdicts_of("three_axis", {"three_axis_p": Raw("error", "cell 3 stopped with NameError: q")})
     assert verdicts["three_axis_p"].status == "failed"
-    assert text_of(verdicts["three_axis_p"]) == "Cell 3 stopped with NameError: q."
+    assert text_of(verdicts["three_axis_p"]) == "In your file: cell 3 stopped with NameError: q."
     assert verdicts["three_axis_A"].status == verdicts["three_axis_J"].status == "correct"
 
 

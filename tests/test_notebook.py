@@ -129,7 +129,9 @@ def test_every_part_has_a_blank_of_its_own_and_its_points(exercise):
     handout, _ = both([exercise])
     for part in exercise.asked:
         assert sum(source.startswith(f"{part.variable} = ...") for source in sources(handout)) == 1
-        assert any(text.startswith(f"**`{part.variable}`** ({part.points:g} point") for text in sources(handout, "markdown"))
+        assert any(
+            text.startswith(f"**`{part.variable}`** ({part.points:g} point") for text in sources(handout, "markdown")
+        )
     total = sum(part.points for part in exercise.asked)
     assert f"{total:g} points" in sources(handout, "markdown")[0]
 

@@ -93,3 +93,31 @@ def test_a_broken_table_names_the_place(cells, words):
 def test_numbers_that_are_no_table_are_refused():
     with pytest.raises(Unreadable, match="table of shape"):
         read(TABLE, raw(np.zeros((2, 4))), variant_of("rrt"))
+
+
+@pytest.mark.parametrize("cell", [repr(0.4 + 1e-16), "0.39999999999999997", repr(0.4 + np.pi / 2), repr(0.4 - np.pi)])
+def test_a_number_in_theta_is_the_own_q_or_a_quarter_turn_from_it(cell):
+    table = read(TABLE, raw([[cell, "d1", "a1", "0"], ["q2", "0", "0", "6.1e-17"], ["0", "q3", "0", "0"]]), V)
+    assert table.kinds == "RRP"
+
+
+def test_a_neighbours_number_in_theta_is_refused():
+    with pytest.raises(Unreadable, match=r"row 1, theta: takes q1, or your value of it, got 0\.53"):
+        read(TABLE, raw([["0.53", "d1", "a1", "0"], ["q2", "0", "0", "0"], ["0", "q3", "0", "0"]]), V)
+
+
+@pytest.mark.parametrize("cell", ["d1/(d1 - d1)", "sqrt(-d1)"])
+def test_a_cell_without_a_value_is_refused(cell):
+    with pytest.raises(Unreadable, match="row 1, a"):
+        read(TABLE, raw([["q1", "d1", cell, "0"], ["q2", "0", "0", "0"], ["0", "q3", "0", "0"]]), V)
+
+
+def test_a_complex_table_is_refused():
+    with pytest.raises(Unreadable, match="table of shape"):
+        read(TABLE, Raw("num", np.full((3, 4), 1j)), V)
+
+
+def test_a_sentence_about_a_table_stays_short():
+    with pytest.raises(Unreadable) as caught:
+        read(TABLE, raw([["a"]] * 60), V)
+    assert len(str(caught.value)) < 200

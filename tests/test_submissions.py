@@ -33,21 +33,20 @@ def course(class_of_three):
     return class_of_three
 
 
-LEFT = ("nesting", "huge integers")  # from_json still lets RecursionError and OverflowError out
-CASES = [
-    pytest.param(kind, suffix, marks=[pytest.mark.xfail] if kind in LEFT and suffix == ".json" else [])
-    for kind in HOSTILE
-    for suffix in (".ipynb", ".json", ".csv")
-]
+def found(course):
+    submission = find_submission(course.folder, "ada", "one")
+    assert submission is not None
+    return submission
 
 
-@pytest.mark.parametrize(("kind", "suffix"), CASES)
+@pytest.mark.parametrize("suffix", [".ipynb", ".json", ".csv"])
+@pytest.mark.parametrize("kind", HOSTILE)
 def test_no_content_makes_reading_fail(course, kind, suffix):
     path = hand_in(course, "ada", HOSTILE[kind], f"one{suffix}")
     raws = read_submission(path).raws(ASKS, Limits())
     assert set(raws) == {"lever_p", "lever_J"}
     for raw in raws.values():
-        assert raw.kind in ("missing", "error", "text")
+        assert raw.kind in ("missing", "error", "text", "num")
         assert raw.kind != "error" or len(raw.value) > 10
 
 
@@ -61,7 +60,7 @@ def test_no_content_makes_reading_fail(course, kind, suffix):
 )
 def test_a_notebook_and_files_of_matrices_give_the_same_values(course, name, data):
     hand_in(course, "ada", data, name)
-    raws = find_submission(course.folder, "ada", "one").raws(ASKS, Limits())
+    raws = found(course).raws(ASKS, Limits())
     assert raws["lever_p"].kind == "num"
     assert raws["lever_p"].value.ravel().tolist() == [0.5, 1]
     assert raws["lever_J"].kind == "missing"
@@ -70,7 +69,7 @@ def test_a_notebook_and_files_of_matrices_give_the_same_values(course, name, dat
 def test_a_notebook_counts_before_a_file_of_matrices(course):
     for name in ("one.csv", "one.json", "one.ipynb"):
         hand_in(course, "ada", b"{}", name)
-        assert find_submission(course.folder, "ada", "one").path.name == name
+        assert found(course).path.name == name
 
 
 def test_nothing_handed_in_is_nothing(course):
@@ -110,7 +109,7 @@ def test_a_pipe_is_not_waited_for(course):
 def test_a_file_too_large_is_not_read(course, monkeypatch):
     monkeypatch.setattr("kinegrade.course.submissions.MAX_BYTES", 3 << 20)
     path = hand_in(course, "ada", b" " * (4 << 20))
-    with pytest.raises(CourseError, match="one.json has 4 MB; a submission may have 3 MB"):
+    with pytest.raises(CourseError, match=r"one.json has 4 MB; a submission may have 3 MB"):
         read_submission(path)
 
 

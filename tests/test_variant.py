@@ -121,11 +121,12 @@ def test_the_parts_that_an_edit_moves_are_named(tmp_path):
     assert moved_parts(record, longer) == ["lever_p", "lever_J"]
 
 
-def test_a_change_below_1e_minus_8_moves_nothing(tmp_path):
+@pytest.mark.parametrize(("change", "moved"), [(2e-9, []), (2e-8, ["lever_p", "lever_J"])])
+def test_a_change_below_1e_minus_8_moves_nothing(tmp_path, change, moved):
     exercise = lever(tmp_path)
     record = draw_record(SECRET, "one", "ada", exercise, ())
     solve = exercise.parts[0].solve
-    assert moved_parts(record, edited(exercise, "lever_p", lambda v, given: solve(v, given) + 2e-9)) == []
+    assert moved_parts(record, edited(exercise, "lever_p", lambda v, given: solve(v, given) + change)) == moved
 
 
 def test_a_part_that_came_went_or_changed_its_shape_has_moved(tmp_path):

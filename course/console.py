@@ -1,0 +1,22 @@
+"""What people see on stderr while the data goes to stdout."""
+
+import sys
+from collections.abc import Callable, Generator
+from contextlib import contextmanager
+
+
+def say(text: str) -> None:
+    """One line on stderr."""
+    sys.stderr.write(text + "\n")
+
+
+@contextmanager
+def progress(title: str, total: int) -> Generator[Callable[[], None]]:
+    """A bar on stderr; the yielded function advances it by one."""
+    from rich.console import Console
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+
+    columns = (TextColumn(title), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
+    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
+        task = bar.add_task(title, total=total)
+        yield lambda: bar.advance(task)

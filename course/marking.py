@@ -1,0 +1,79 @@
+"""A marking run: progress while it goes, then grades.csv, feedback, report and the table."""
+
+import sys
+from collections.abc import Iterable, Iterator, Sequence
+from pathlib import Path
+from typing import Any
+
+from rich.console import Console
+from rich.text import Text
+
+from ..solutions.errors import KinegradeError
+from .config import Course, Sheet
+from .console import progress, say
+from .files import write_atomically
+from .gradebook import Gradebook
+from .grading import Result, SheetMarker, recorded_results
+from .pages import write_feedback, write_report
+from .sheets import exercises_of
+from .submissions import strangers
+from .tables import grades_csv, legend, terminal_table
+
+
+def mark_sheets(
+    course: Course,
+    gradebook: Gradebook,
+    sheets: Sequence[Sheet],
+    *,
+    accept_change: bool = False,
+    again: bool = False,
+) -> list[tuple[Sheet, list[Result]]]:
+    """Marks sheets with a progress bar and writes all that follows from the marks."""
+    for name in strangers(course.folder, {student.id for student in course.students}):
+        say(f"{course.folder / 'submitted' / name} belongs to nobody of roster.csv and is not marked.")
+    marked: list[tuple[Sheet, list[Result]]] = []
+    with progress("Marking", len(course.students) * len(sheets)) as step:
+        for sheet in sheets:
+            marker = SheetMarker(course, gradebook, sheet, accept_change=accept_change, again=again)
+            marked.append((sheet, marker.results(step)))
+    write_results(course, _with_recorded(course, gradebook, marked))
+    return marked
+
+
+def _with_recorded(
+    course: Course, gradebook: Gradebook, marked: list[tuple[Sheet, list[Result]]]
+) -> Iterator[tuple[Sheet, list[Result]]]:
+    """Marked sheets, and what the gradebook has of the others: a report is about all of the course."""
+    fresh = {sheet.name: results for sheet, results in marked}
+    for sheet in course.settings.sheet:
+        try:
+            exercises_of(course, sheet)
+        except KinegradeError as error:
+            say(f"Sheet {sheet.name} is left out of the report: {error}")
+            continue
+        yield sheet, fresh.get(sheet.name) or recorded_results(course, gradebook, sheet)
+
+
+def write_results(course: Course, marked: Iterable[tuple[Sheet, Sequence[Result]]]) -> Path:
+    """grades.csv, one feedback page per student and sheet, and the report; the report's path."""
+    pages: list[Any] = []
+    for sheet, results in marked:
+        exercises = exercises_of(course, sheet)
+        parts = [part.variable for exercise in exercises for part in exercise.asked]
+        name = "grades.csv" if len(course.settings.sheet) == 1 else f"grades-{sheet.name}.csv"
+        write_atomically(course.folder / name, grades_csv(results, parts))
+        for result in results:
+            if result.verdicts:
+                write_feedback(course, sheet, exercises, result)
+        pages.append((sheet, exercises, results))
+    return write_report(course, pages)
+
+
+def show(course: Course, marked: Sequence[tuple[Sheet, Sequence[Result]]]) -> None:
+    """The table of every sheet on stdout, and where to look on stderr."""
+    console = Console() if sys.stdout.isatty() else Console(width=140)  # a file has no width of its own
+    for sheet, results in marked:
+        console.print(Text(sheet.title or sheet.name, style="bold"))
+        console.print(terminal_table(results, exercises_of(course, sheet)))
+    say(legend())
+    say(f"Report: {course.folder / 'report' / 'index.html'}")

@@ -1,0 +1,55 @@
+"""When may an answer be judged from the student's own earlier answers? Not from copied, guessed or easier data."""
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..exercises.exercise import Numbers, Part
+from ..solutions.table import Table
+from .verdict import Verdict
+
+Others = Mapping[str, Mapping[str, Any]]
+"""Student to the recorded reference answers of that student's variant of the same exercise."""
+SAME = 2e-3  # two answers this close in every entry were not computed from different numbers
+TELLING = 5  # different numbers that an answer takes to tell whose it is: a joint axis alone is shared by many
+MOST_ZEROS = 0.25
+
+
+def may_be_followed(verdict: Verdict, copied: bool) -> bool:
+    """Whether later parts may be judged from an answer: it is partly right, or its mistake has a name.
+
+    An answer that is neither may be any numbers at all, and whatever is computed from them is no achievement.
+    """
+    return not copied and (bool(verdict.points) or any(not finding.private for finding in verdict.findings))
+
+
+def is_trivial(reference: Any, own: Any) -> bool:
+    """Whether own numbers are easier than the reference: fewer different ones, or a lower rank."""
+    if isinstance(own, Table):
+        return False
+    if own.ndim == 2 and np.linalg.matrix_rank(own, 1e-6) < np.linalg.matrix_rank(reference, 1e-6):
+        return True
+    return 2 * _different_numbers(own) < _different_numbers(reference)
+
+
+def zeros_pass(wanted: NDArray[np.float64], allowed: NDArray[np.float64], earning: NDArray[np.bool_]) -> bool:
+    """Whether a matrix of zeros would agree with many of the entries that carry points."""
+    return bool((np.abs(wanted) <= allowed)[earning].mean() > MOST_ZEROS)
+
+
+def owner_of(part: Part, answer: Any, others: Others) -> str:
+    """The student whose variant an answer of numbers is right for; empty when there is none, or it cannot tell."""
+    if not isinstance(part.answer, Numbers) or _different_numbers(answer) < TELLING:
+        return ""
+    for student, answers in others.items():
+        theirs = np.asarray(answers.get(part.variable, np.nan), dtype=float)
+        if theirs.shape == answer.shape and np.abs(theirs - answer).max() <= SAME:
+            return student
+    return ""
+
+
+def _different_numbers(array: Any) -> int:
+    sizes = np.unique(np.round(np.abs(np.asarray(array, dtype=np.float64)), 4))
+    return int(((sizes != 0) & (sizes != 1)).sum())

@@ -1,0 +1,158 @@
+"""The shape of the project: imports point one way, nothing is left out of the wheel, and a start is light."""
+
+import ast
+import fnmatch
+import os
+import re
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+ORDER = ("solutions", "exercises", "grader", "course")
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+SETUPTOOLS = PROJECT["tool"]["setuptools"]
+MODULES = [path.relative_to(ROOT) for package in ORDER for path in sorted((ROOT / package).rglob("*.py"))]
+DISTRIBUTIONS = {"IPython": "ipython", "sqlalchemy": "SQLAlchemy", "markupsafe": "jinja2"}  # jinja2 brings markupsafe
+HEAVY = ("sympy", "matplotlib", "sqlalchemy", "IPython", "typst", "nbformat", "jinja2", "pydantic", "numpy")
+HELP = """
+from kinegrade.course.cli import main
+sys.argv = ["kinegrade", "--help"]
+try:
+    main()
+except SystemExit:
+    pass
+"""
+WRITTEN = ("*.py", "*.md", "*.toml", "*.txt", "*.html", "*.css", "*.yml", "*.json", "*.ipynb", "Makefile", "run")
+UNWRITTEN = {
+    ".git",
+    ".venv",
+    ".hypothesis",
+    ".pytest_cache",
+    ".ruff_cache",
+    "__pycache__",
+    "build",
+    "dist",
+    "demo-course",
+}
+
+
+def imported(path):
+    """Module names that a file imports, anywhere in it; relative ones in full."""
+    package = ["kinegrade", *path.parent.parts]
+    for node in ast.walk(ast.parse((ROOT / path).read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            yield from (alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            start = package[: len(package) + 1 - node.level] if node.level else []
+            yield ".".join([*start, *([node.module] if node.module else [])])
+
+
+@pytest.mark.parametrize("path", MODULES, ids=str)
+def test_imports_point_one_way(path):
+    allowed = ORDER[: ORDER.index(path.parts[0]) + 1]
+    ours = [name.split(".") for name in imported(path) if name.split(".")[0] in ("kinegrade", *ORDER)]
+    assert [name for name in ours if name[0] != "kinegrade" or len(name) < 2 or name[1] not in allowed] == []
+
+
+def test_the_runner_imports_nothing_of_ours_and_nothing_that_is_not_everywhere():
+    names = {name.split(".")[0] for name in imported(Path("grader/runner.py"))}
+    assert names - set(sys.stdlib_module_names) <= {"numpy", "IPython"}
+
+
+def test_every_import_is_a_declared_dependency():
+    names = {name.split(".")[0] for path in MODULES for name in imported(path)} - set(sys.stdlib_module_names)
+    declared = {re.split(r"[^\w-]", line)[0] for line in PROJECT["project"]["dependencies"]}
+    assert {DISTRIBUTIONS.get(name, name) for name in names - {"kinegrade"}} <= declared
+
+
+def test_the_package_list_is_the_folders():
+    """An unlisted sub-package works in an editable installation and is missing from the wheel."""
+    folders = sorted({str(path.parent) for path in MODULES})
+    assert sorted(SETUPTOOLS["packages"]) == [f"kinegrade.{folder.replace('/', '.')}" for folder in folders]
+    assert SETUPTOOLS["package-dir"] == {f"kinegrade.{folder.replace('/', '.')}": folder for folder in folders}
+    assert all((ROOT / folder / "__init__.py").exists() for folder in folders)
+
+
+def test_every_file_that_is_not_python_is_package_data():
+    listed = [
+        f"{package.split('.', 1)[1].replace('.', '/')}/{glob}"
+        for package, globs in SETUPTOOLS["package-data"].items()
+        for glob in globs
+    ]
+    others = [
+        path for package in ORDER for path in (ROOT / package).rglob("*") if path.is_file() and path.suffix != ".py"
+    ]
+    names = [str(path.relative_to(ROOT)) for path in others if not UNWRITTEN & set(path.parts)]
+    assert names
+    assert [name for name in names if not any(fnmatch.fnmatch(name, glob) for glob in listed)] == []
+
+
+def test_a_type_checker_finds_the_packages_where_they_are():
+    for package in ORDER:
+        link = ROOT / "typings" / "kinegrade" / package
+        assert link.is_symlink()
+        assert not link.readlink().is_absolute()
+        assert link.resolve() == ROOT / package
+
+
+@pytest.mark.parametrize("package", ORDER)
+def test_a_folder_imported_as_a_package_of_its_own_fails_loudly(package):
+    ran = subprocess.run(
+        [sys.executable, "-c", f"import {package}"], cwd=ROOT, capture_output=True, text=True, check=False
+    )
+    assert ran.returncode == 1
+    assert f"ImportError: Import kinegrade.{package}, not {package}" in ran.stderr
+
+
+def loaded(code):
+    """Names of the modules that are there after some code, in a process of its own."""
+    script = f"import sys\n{code}\nprint('\\n' + ' '.join(sys.modules))"
+    ran = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
+    return set(ran.stdout.splitlines()[-1].split())
+
+
+def test_help_is_quick_because_it_loads_nothing_heavy():
+    found = loaded(HELP)
+    assert "kinegrade.course.cli" in found
+    assert sorted(set(HEAVY) & found) == []
+
+
+def test_no_package_loads_anything_by_itself():
+    found = loaded("".join(f"import kinegrade.{package}\n" for package in ORDER))
+    assert sorted(set(HEAVY) & found) == []
+
+
+def test_grading_loads_no_sympy_and_no_figures():
+    found = loaded("import kinegrade.course.grading, kinegrade.course.submissions, kinegrade.course.tables")
+    assert sorted({"sympy", "matplotlib", "typst", "IPython"} & found) == []
+
+
+def written():
+    for folder, inner, names in os.walk(ROOT):
+        inner[:] = sorted(name for name in inner if name not in UNWRITTEN and not name.endswith(".egg-info"))
+        for path in (Path(folder) / name for name in sorted(names)):
+            if any(path.match(glob) for glob in WRITTEN):
+                yield path.relative_to(ROOT), path.read_text(encoding="utf-8")
+
+
+def test_no_file_mentions_the_machine_it_was_written_on():
+    places = "|".join("/" + name + "/" for name in ("work", "home", "root", "Users"))
+    pattern = re.compile(rf"(?<![\w.~])(?:{places})\w|\.\./shar" + "ed")
+    files = list(written())
+    assert len(files) > 40
+    assert [f"{path}: {match[0]}" for path, text in files for match in pattern.finditer(text)] == []
+
+
+def test_modules_are_named_after_what_they_hold():
+    vague = {"util", "utils", "helper", "helpers", "base", "common", "manager", "misc"}
+    assert [path for path in MODULES if path.stem in vague] == []
+
+
+def test_every_module_says_in_its_first_line_what_it_is():
+    for path in MODULES:
+        said = ast.get_docstring(ast.parse((ROOT / path).read_text(encoding="utf-8")))
+        assert said, path

@@ -1,0 +1,129 @@
+"""Results on the terminal, in grades.csv and as JSON: nothing in them is obeyed, and what waits is never a zero."""
+
+import csv
+import io
+import json
+
+import pytest
+from courses import lever
+from kinegrade.course.config import Student
+from kinegrade.course.grading import Result
+from kinegrade.course.tables import MARKS, grades_csv, legend, points_text, remark, results_json, status, terminal_table
+from kinegrade.grader.verdict import STATUS_WORDS, Finding, Verdict, not_graded
+from rich.console import Console
+
+ADA = Student("ada", "Ada Lovelace")
+PARTS = ("lever_p", "lever_J")
+
+
+def result(*verdicts, student=ADA, reason=""):
+    return Result(student, "one", verdicts, reason)
+
+
+def verdict(part="lever_p", status="correct", points=2.0, *texts, private=False):
+    return Verdict(part, status, points, 2.0, tuple(Finding(text, private) for text in texts))
+
+
+def printed(tmp_path, results, *, width=140, color=False):
+    console = Console(width=width, file=io.StringIO(), force_terminal=color, legacy_windows=False)
+    console.print(terminal_table(results, [lever(tmp_path)]))
+    return console.file.getvalue()
+
+
+def rows(results):
+    return list(csv.DictReader(io.StringIO(grades_csv(results, PARTS))))
+
+
+def test_every_status_has_a_mark_of_its_own_and_a_word():
+    assert set(MARKS) == set(STATUS_WORDS)
+    assert len(set(MARKS.values())) == len(MARKS)
+    assert all(f"{MARKS[kind]} {words}" in legend() for kind, words in STATUS_WORDS.items())
+
+
+def test_the_table_has_a_mark_for_every_part_the_points_and_the_first_remark(tmp_path):
+    full = result(verdict(), verdict("lever_J", "partly", 1.25, "Look at row 2."))
+    lines = printed(tmp_path, [full, result(student=Student("benedict", "B"), reason="no submission")]).splitlines()
+    assert ["student", "lever", "points", "first", "remark"] in [line.split() for line in lines]
+    assert ["ada", "✓◐", "3.25", "/", "4", "lever_J:", "Look", "at", "row", "2."] in [line.split() for line in lines]
+    assert ["benedict", "—", "no", "submission"] in [line.split() for line in lines]
+
+
+def test_ids_and_marks_are_never_broken_over_lines(tmp_path):
+    long = result(verdict("lever_p", "partly", 1.0, "word " * 60), student=Student("x" * 40, "X"))
+    assert any(line.strip().startswith("x" * 40) for line in printed(tmp_path, [long], width=100).splitlines())
+
+
+@pytest.mark.parametrize(
+    "text", ["[/b] [red]x[/red]", "[bold", "\x1b]0;title\x07\x1b[2J", "a\rb\nc\u202ed", "\ud800", "[link=x]y[/]"]
+)
+@pytest.mark.parametrize("color", [False, True])
+def test_a_remark_is_shown_as_text_and_never_obeyed(tmp_path, text, color):
+    out = printed(tmp_path, [result(verdict("lever_p", "failed", 0.0, text))], color=color)
+    plain = printed(tmp_path, [result(verdict("lever_p", "failed", 0.0, "harmless"))], color=color)
+    assert out.count("\x1b") == plain.count("\x1b")
+    assert len(out.splitlines()) == len(plain.splitlines())
+    out.encode()
+    for char in "\x07\r\u202e":
+        assert char not in out
+    assert "".join(char if char.isprintable() else "\ufffd" for char in text) in out
+
+
+@pytest.mark.parametrize(
+    ("verdicts", "points", "word"),
+    [
+        ((verdict(), verdict("lever_J", "partly", 0.5)), "2.5 / 4", "graded"),
+        ((verdict("lever_p", "missing", 0.0),), "0 / 2", "graded"),
+        ((verdict(), not_graded("lever_J", 3, "wait")), "not graded", "not_graded"),
+        ((), "—", "no_submission"),
+    ],
+)
+def test_what_waits_is_never_a_zero(verdicts, points, word):
+    assert points_text(result(*verdicts)) == points
+    assert status(result(*verdicts)) == word
+
+
+def test_a_remark_for_students_leaves_out_what_is_private():
+    found = result(
+        verdict("lever_p", "incorrect", 0.0, "secret", private=True), verdict("lever_J", "partly", 1.0, "open")
+    )
+    assert remark(found) == "lever_p: secret"
+    assert remark(found, public=True) == "lever_J: open"
+    assert remark(result(reason="why")) == "why"
+    assert remark(result()) == ""
+
+
+def test_grades_are_quoted_one_row_per_student_with_a_column_per_part():
+    text = grades_csv([result(verdict(), verdict("lever_J", "partly", 1.25))], PARTS)
+    assert text == (
+        '"student","name","sheet","status","points","out_of","lever_p","lever_J"\n'
+        '"ada","Ada Lovelace","one","graded","3.25","4","2","1.25"\n'
+    )
+
+
+def test_a_grade_that_is_not_there_is_empty():
+    waiting, absent = rows([result(verdict(), not_graded("lever_J", 3, "wait")), result(student=Student("ben", "B"))])
+    assert (waiting["points"], waiting["out_of"], waiting["lever_p"], waiting["lever_J"]) == ("", "5", "2", "")
+    assert (absent["points"], absent["out_of"], absent["lever_p"], absent["status"]) == ("", "", "", "no_submission")
+
+
+@pytest.mark.parametrize("name", ["=1+1", "+cmd|' /C calc'!A0", "-2", "@SUM(A1)", "\t=1", "\r=1"])
+def test_a_name_is_never_run_by_a_spreadsheet(name):
+    assert rows([result(student=Student("ada", name))])[0]["name"] == f"'{name}"
+
+
+@pytest.mark.parametrize("name", ['Bot, "Ben"', "O'Brien", "Ada\nLovelace", "Zoë;x", "<b>&amp;"])
+def test_a_name_comes_back_as_it_is(name):
+    assert rows([result(student=Student("ada", name))])[0]["name"] == name
+
+
+def test_json_holds_everything_a_script_would_want():
+    found = result(verdict("lever_p", "partly", 1.25, "half \ud800"), not_graded("lever_J", 3, "wait"))
+    (data,) = json.loads(results_json([found]))
+    assert (data["student"], data["sheet"], data["status"], data["points"], data["out_of"]) == (
+        "ada",
+        "one",
+        "not_graded",
+        None,
+        5,
+    )
+    assert [Verdict.from_json(part) for part in data["parts"]] == list(found.verdicts)
