@@ -11,9 +11,11 @@ from pathlib import Path
 import numpy as np
 from kinegrade.solutions.chain import Array, Chain
 from kinegrade.solutions.emit import SYMBOLS, used_angles
-from kinegrade.solutions.program import Program, Signed, trace
+from kinegrade.solutions.program import Program, trace
+from kinegrade.solutions.tracer import Signed
 
 Batch = Callable[[Array], Array]  # q (N, n) -> (N, 6, n)
+Single = Callable[[Array], Array]  # q (n,) -> (6, n)
 STRICT = ("-O3", "-march=native")
 FAST = (*STRICT, "-ffast-math")  # lets gcc call the vector sines of glibc
 
@@ -134,7 +136,7 @@ def pinocchio(chain: Chain) -> Batch:
     return run
 
 
-def toolbox_ets(chain: Chain) -> Batch:
+def toolbox_ets(chain: Chain) -> Single:
     """roboticstoolbox's elementary transform sequence, whose jacob0 is written in C."""
     import roboticstoolbox as rtb
     from spatialmath import SE3
@@ -146,17 +148,17 @@ def toolbox_ets(chain: Chain) -> Batch:
         )()
     last = chain.fixed[-1]
     ets = ets if np.array_equal(last, np.eye(4)) else ets * rtb.ET.SE3(SE3(last))
-    return looped(ets.jacob0)
+    return ets.jacob0
 
 
-def toolbox_puma(chain: Chain) -> Batch:
+def toolbox_puma(chain: Chain) -> Single:
     """roboticstoolbox's own Puma 560 by Denavit-Hartenberg rows, in Python."""
     import roboticstoolbox as rtb
 
-    return looped(rtb.models.DH.Puma560().jacob0)
+    return rtb.models.DH.Puma560().jacob0
 
 
-def modern_robotics(chain: Chain) -> Batch:
+def modern_robotics(chain: Chain) -> Single:
     """JacobianSpace, moved from the base's origin to the tool by our own forward kinematics."""
     import modern_robotics as mr
     from kinegrade.solutions.kinematics import forward, frames
@@ -170,10 +172,10 @@ def modern_robotics(chain: Chain) -> Batch:
         J = mr.JacobianSpace(screws, q)
         return np.concatenate([J[3:] + np.cross(J[:3], forward(chain, q)[:3, 3], axis=0), J[:3]])
 
-    return looped(jacobian)
+    return jacobian
 
 
-def kinpy(chain: Chain) -> Batch:
+def kinpy(chain: Chain) -> Single:
     """A serial chain read from a URDF that is written from ours."""
     import kinpy
 
@@ -193,17 +195,4 @@ def kinpy(chain: Chain) -> Batch:
         )
     links = "".join(f'<link name="{name}"/>' for name in names)
     urdf = f'<robot name="arm">{links}{"".join(lines)}</robot>'
-    return looped(kinpy.build_serial_chain_from_urdf(urdf.encode(), "tool", "base").jacobian)
-
-
-def looped(function: Callable[[Array], Array]) -> Batch:
-    """One call after the other, copied into one array."""
-
-    def run(q: Array) -> Array:
-        first = function(q[0])
-        J = np.empty((len(q), *first.shape))
-        for k, row in enumerate(q):
-            J[k] = function(row)
-        return J
-
-    return run
+    return kinpy.build_serial_chain_from_urdf(urdf.encode(), "tool", "base").jacobian

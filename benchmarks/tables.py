@@ -42,6 +42,10 @@ class Contender:
     def median(self) -> float:
         return statistics.median(self.times)
 
+    def over(self, other: "Contender") -> float:
+        """How many times as long as the other one, by the median over the rounds of what it was in each."""
+        return statistics.median(mine / its for mine, its in zip(self.times, other.times, strict=True))
+
 
 def main() -> None:
     if sys.argv[1] == "reduction":
@@ -73,8 +77,8 @@ def puma(rounds: int) -> list[str]:
     q = np.random.default_rng(0).uniform(-np.pi, np.pi, (BATCH, chain.n))
     compared = [*ours(chain, q), textbook(chain, q), einsum(chain, q), *in_c(chain, q), *loops(chain, q)]
     alternate(compared, rounds)
-    batch, single = (next(c.median for c in compared if c.name.startswith(f"ours, {x}")) for x in ("batch", "single"))
-    rows = [f"| {c.name} | {c.median:,.0f} | {c.median / batch:,.2f} | {c.median / single:,.2f} |" for c in compared]
+    batch, single = (next(c for c in compared if c.name.startswith(f"ours, {x}")) for x in ("batch", "single"))
+    rows = [f"| {c.name} | {c.median:,.0f} | {c.over(batch):,.2f} | {c.over(single):,.2f} |" for c in compared]
     return ["| Puma 560, base frame | ns each | times our batch | times our single call |", "|---|--:|--:|--:|", *rows]
 
 
@@ -87,9 +91,9 @@ def arms(rounds: int) -> list[str]:
         q = rng.uniform(-np.pi, np.pi, (BATCH, chain.n))
         compared = [ours(chain, q)[0], textbook(chain, q), *in_c(chain, q)[1:2]]
         alternate(compared, rounds)
-        mine, numpy, *c = (x.median for x in compared)
-        ratio = f"{mine / c[0]:.1f}" if c else "no cc"
-        lines.append(f"| {name} | {chain.n} | {mine:.0f} | {numpy / mine:.1f} | {ratio} |")
+        mine, everyone, *c = compared
+        ratio = f"{mine.over(c[0]):.1f}" if c else "no cc"
+        lines.append(f"| {name} | {chain.n} | {mine.median:.0f} | {everyone.over(mine):.1f} | {ratio} |")
     return lines
 
 
@@ -127,12 +131,12 @@ def reduction() -> dict[str, float | str]:
 
 
 def ours(chain: Chain, q: Array) -> list[Contender]:
-    out, single = np.empty((len(q), 6, chain.n)), contenders.looped(functools.partial(jacobian, chain))
+    out = np.empty((len(q), 6, chain.n))
     return [
         Contender(f"ours, batch of {len(q):,}, contiguous result", len(q), lambda: jacobian(chain, q)),
         Contender("ours, the same with `out=`", len(q), lambda: jacobian(chain, q, out=out)),
         Contender("ours, batch of 1,000", 1000, lambda: jacobian(chain, q[:1000])),
-        Contender("ours, single call", 2000, lambda: single(q[:2000])),
+        one_by_one("ours, single call", functools.partial(jacobian, chain), q[:2000]),
     ]
 
 
@@ -168,8 +172,13 @@ def in_c(chain: Chain, q: Array) -> list[Contender]:
 def loops(chain: Chain, q: Array) -> list[Contender]:
     """The peers, one configuration after the other; those that are not installed are left out."""
     made = list[Contender]()
+    try:
+        loop = contenders.pinocchio(chain)
+        check("Pinocchio", chain, q, loop(q[:100]))
+        made.append(Contender("Pinocchio, Python loop with copy-out", 20_000, lambda: loop(q[:20_000])))
+    except ImportError as error:
+        print(f"Pinocchio is left out: {error}", file=sys.stderr)
     for name, function, count in (
-        ("Pinocchio, Python loop with copy-out", contenders.pinocchio, 20_000),
         ("roboticstoolbox, `ETS.jacob0` (C)", contenders.toolbox_ets, 2000),
         ("roboticstoolbox, `DHRobot.jacob0`", contenders.toolbox_puma, 100),
         ("modern_robotics, `JacobianSpace`", contenders.modern_robotics, 50),
@@ -180,9 +189,20 @@ def loops(chain: Chain, q: Array) -> list[Contender]:
         except ImportError as error:
             print(f"{name} is left out: {error}", file=sys.stderr)
             continue
-        check(name, chain, q, run(q[:50]))
-        made.append(Contender(name, count, functools.partial(run, q[:count])))
+        check(name, chain, q, np.array([run(row) for row in q[:20]]))
+        made.append(one_by_one(name, run, q[:count]))
     return made
+
+
+def one_by_one(name: str, function: contenders.Single, q: Array) -> Contender:
+    """Single calls; what becomes of their results is nobody's time."""
+    rows = list(q)
+
+    def run() -> None:
+        for row in rows:
+            function(row)
+
+    return Contender(name, len(rows), run)
 
 
 def golden() -> dict[str, Chain]:

@@ -7,44 +7,9 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from .chain import Array, Chain, elementary, snapped
+from .tracer import Angle, Rows, Signed, Step, Sum, Tracer, Value, Vector, negated, rotation
 
 Wanted = Literal["base", "tool", "pose", "frames"]
-Operation = Literal["multiply", "add", "subtract"]
-
-
-class Signed(NamedTuple):
-    """A register, or its negative: signs cost nothing until an output needs one."""
-
-    name: str
-    negative: bool = False
-
-
-Value = float | Signed
-Vector = list[Value]
-Rows = list[Vector]
-Sum = tuple[tuple[int, int], ...]  # (sign, joint)
-
-
-class Angle(NamedTuple):
-    """Angle of merged parallel axes: a sum of joint values and a constant `shift` [rad]."""
-
-    joints: Sum = ()
-    shift: float = 0.0
-
-    def plus(self, joints: Sum, shift: float) -> "Angle":
-        return Angle(self.joints + joints, self.shift + shift)
-
-    def opposite(self) -> "Angle":
-        return Angle(tuple((-sign, joint) for sign, joint in self.joints), -self.shift)
-
-
-class Step(NamedTuple):
-    """`target` = `left` operation `right`; operands are registers or floats."""
-
-    operation: Operation
-    left: str | float
-    right: str | float
-    target: str
 
 
 @dataclass(frozen=True)
@@ -60,82 +25,6 @@ class Program:
     steps: tuple[Step, ...]
     outputs: tuple[Value, ...]
     shape: tuple[int, ...]
-
-
-class Tracer:
-    """Records products and sums; zeros and ones vanish, equal products are shared.
-
-    If it `folds`, constant turns about the axes of joints become shifts of their angles.
-    """
-
-    def __init__(self, *, folds: bool = False) -> None:
-        self.folds = folds
-        self.steps: list[Step] = []
-        self.angles: list[Angle] = []
-        self.seen: dict[tuple[str, str | float, str | float], str] = {}
-
-    def multiply(self, a: Value, b: Value) -> Value:
-        if isinstance(a, Signed) and isinstance(b, Signed):
-            left, right = sorted((a.name, b.name))
-            return Signed(self._step("multiply", left, right), a.negative != b.negative)
-        if isinstance(a, Signed):
-            return self.multiply(b, a)
-        if not isinstance(b, Signed) or a == 0:
-            return 0.0 if isinstance(b, Signed) else a * b
-        name = b.name if abs(a) == 1 else self._step("multiply", b.name, abs(a))
-        return Signed(name, b.negative != (a < 0))
-
-    def add(self, a: Value, b: Value) -> Value:
-        if not isinstance(a, Signed) and not isinstance(b, Signed):
-            return a + b
-        if 0.0 in (a, b):
-            return b if a == 0.0 else a
-        if a == negated(b):
-            return 0.0
-        (left, first), (right, second) = _split(a), _split(b)
-        if first == second:
-            return Signed(self._step("add", *sorted((left, right), key=str)), first)
-        if first:
-            left, right = right, left
-        if ("subtract", right, left) in self.seen:
-            return Signed(self.seen["subtract", right, left], negative=True)
-        return Signed(self._step("subtract", left, right))
-
-    def dot(self, a: Iterable[Value], b: Iterable[Value]) -> Value:
-        total: Value = 0.0
-        for x, y in zip(a, b, strict=True):
-            total = self.add(total, self.multiply(x, y))
-        return total
-
-    def plus(self, a: Vector, b: Vector) -> Vector:
-        return [self.add(x, y) for x, y in zip(a, b, strict=True)]
-
-    def cross(self, a: Vector, b: Vector) -> Vector:
-        pairs = ((1, 2), (2, 0), (0, 1))
-        return [self.add(self.multiply(a[i], b[j]), negated(self.multiply(a[j], b[i]))) for i, j in pairs]
-
-    def product(self, rows: Rows, F: Rows) -> Rows:
-        columns = [list(column) for column in zip(*F, strict=True)]
-        return [[self.dot(row, column) for column in columns] for row in rows]
-
-    def turned(self, rows: Rows, angle: Angle) -> Rows:
-        """Rows times Rz(angle)."""
-        if not angle.joints:
-            return self.product(rows, _rotation(elementary("Rz", angle.shift))) if angle.shift else rows
-        flip = angle.joints[0][0] < 0
-        angle = angle.opposite() if flip else angle
-        if angle not in self.angles:
-            self.angles.append(angle)
-        index = self.angles.index(angle)
-        c, s = Signed(f"c{index}"), Signed(f"s{index}", flip)
-        return [[self.dot(r[:2], (c, s)), self.dot(r[:2], (negated(s), c)), r[2]] for r in rows]
-
-    def _step(self, operation: Operation, left: str | float, right: str | float) -> str:
-        key = (operation, left, right)
-        if key not in self.seen:
-            self.seen[key] = f"r{len(self.seen)}"
-            self.steps.append(Step(operation, left, right, self.seen[key]))
-        return self.seen[key]
 
 
 class Link(NamedTuple):
@@ -165,11 +54,6 @@ class Walk(NamedTuple):
 Outputs = tuple[Vector, tuple[int, ...]]
 
 
-def negated(value: Value) -> Value:
-    """The value with the other sign; no step is spent."""
-    return Signed(value.name, not value.negative) if isinstance(value, Signed) else -value
-
-
 def trace(chain: Chain, wanted: Wanted) -> Program:
     """Program of the Jacobian in the base or tool frame, of the tool's pose or of all axis frames."""
     ways = {"base": (_base,), "tool": (_tool, _tool_by_cross), "pose": (_pose,), "frames": (_frames,)}
@@ -187,13 +71,13 @@ def _traced(chain: Chain, way: Callable[[Tracer, Chain], Outputs], *, folds: boo
 
 def _walk(tracer: Tracer, fixed: Array, kinds: str, joints: Sequence[tuple[int, int]]) -> Walk:
     """Walk E and C alternately; `joints` (sign, index) says which joint value each E takes."""
-    base, before, links = _rotation(fixed[0]), Angle(), list[Link]()
+    base, before, links = rotation(fixed[0]), Angle(), list[Link]()
     for kind, (sign, joint), fixture in zip(kinds, joints, fixed[1:], strict=True):
         shift, C, behind = _folded(fixture) if tracer.folds else (0.0, fixture, 0.0)
         angle = before.plus(((sign, joint),) if kind == "R" else (), shift)
         along: Value = 0.0 if kind == "R" else Signed(f"q{joint}", sign < 0)
         # Rz(s) F = F Rz(+-s) where F keeps the axis: parallel axes share one angle, however they are offset
-        F, parallel = _rotation(C), not C[:2, 2].any()
+        F, parallel = rotation(C), not C[:2, 2].any()
         links.append(Link(kind, base, before, angle, along, F, _translation(C), parallel))
         base = tracer.product(base if parallel else tracer.turned(base, angle), F)
         before = (angle if C[2, 2] > 0 else angle.opposite()) if parallel else Angle(shift=behind)
@@ -327,14 +211,6 @@ def _folded(C: Array) -> tuple[float, Array, float]:
     level = D[1] if D[0, 2] else D[0]  # the row that only a last turn about z can have filled
     last = float(np.arctan2(-level[1], level[0])) if (x or y) and level[0] and level[1] else 0.0
     return first, snapped(D @ elementary("Rz", -last)), last
-
-
-def _split(value: Value) -> tuple[str | float, bool]:
-    return value if isinstance(value, Signed) else (value, False)
-
-
-def _rotation(C: Array) -> Rows:
-    return [[float(x) for x in row] for row in C[:3, :3]]
 
 
 def _translation(C: Array) -> Vector:

@@ -10,13 +10,15 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from kinegrade.solutions.chain import Array, Chain, ChainError, elementary, from_frames, from_standard
 from kinegrade.solutions.emit import BLOCK, direct, half_angle, rows, used_angles
-from kinegrade.solutions.jacobian import jacobian, last_frame_columns
+from kinegrade.solutions.jacobian import at_point, in_axes, jacobian, last_frame_columns
 from kinegrade.solutions.kinematics import forward, frames
 from kinegrade.solutions.program import trace
 from kinegrade.solutions.robots import ROBOTS
+from kinegrade.solutions.rotation import vector_rotation
 
 STEP = 1e-3
 PUMA = ROBOTS["puma560"]
+TWO = np.zeros((2, 6))
 
 
 def differenced(chain: Chain, q: Array) -> Array:
@@ -141,6 +143,99 @@ def test_an_unknown_frame_is_refused_with_a_sentence():
     wrong: Any = "world"
     with pytest.raises(ChainError, match="frame takes 'base' or 'tool', got 'world'"):
         jacobian(PUMA.chain(), np.zeros(6), wrong)
+
+
+def test_axes_may_be_any_rotation_and_the_named_frames_are_two_of_them():
+    chain, q = PUMA.chain(), np.random.default_rng(6).uniform(-3, 3, (4, 6))
+    R = forward(chain, q)[:, :3, :3]
+    np.testing.assert_array_equal(jacobian(chain, q, np.eye(3)), jacobian(chain, q))
+    np.testing.assert_allclose(jacobian(chain, q, R), jacobian(chain, q, "tool"), rtol=0, atol=1e-14)
+    np.testing.assert_allclose(in_axes(jacobian(chain, q), R), jacobian(chain, q, "tool"), rtol=0, atol=1e-14)
+
+
+def test_the_point_may_be_any_and_the_tool_point_and_the_origin_are_two_of_them():
+    chain, q = PUMA.chain(), np.random.default_rng(7).uniform(-3, 3, (4, 6))
+    p = forward(chain, q)[:, :3, 3]
+    np.testing.assert_array_equal(jacobian(chain, q, point=p), jacobian(chain, q))
+    np.testing.assert_array_equal(jacobian(chain, q, point="origin"), jacobian(chain, q, point=(0, 0, 0)))
+    np.testing.assert_allclose(jacobian(chain, q, "tool", point=p), jacobian(chain, q, "tool"), rtol=0, atol=1e-14)
+    # axis 1 passes through the origin
+    np.testing.assert_allclose(jacobian(chain, q, point="origin")[:, :3, 0], 0, rtol=0, atol=1e-15)
+
+
+def test_at_the_origin_a_column_is_the_screw_of_its_axis():
+    chain, q = PUMA.chain(), np.random.default_rng(8).uniform(-3, 3, 6)
+    reached = frames(chain, q)[:-1, :3]
+    screws = np.concatenate([np.cross(reached[..., 3], reached[..., 2]), reached[..., 2]], axis=-1).T
+    np.testing.assert_allclose(jacobian(chain, q, point="origin"), screws, rtol=0, atol=1e-14)
+
+
+def test_a_twist_moves_with_its_jacobian():
+    chain, q, qdot = PUMA.chain(), np.full(6, 0.3), np.arange(6.0)
+    R, r = vector_rotation([0.3, 0.4, -0.2]), np.array([0.1, 0.2, 0.3])
+    xi = jacobian(chain, q) @ qdot
+    v, w = xi[:3], xi[3:]
+    np.testing.assert_allclose(at_point(xi[:, None], r)[:, 0], [*(v + np.cross(w, r)), *w], rtol=0, atol=1e-15)
+    np.testing.assert_allclose(in_axes(xi[:, None], R)[:, 0], [*(R.T @ v), *(R.T @ w)], rtol=0, atol=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("q", "frame", "point", "batch"),
+    [
+        ((), (), (), ()),
+        ((4,), (), (), (4,)),
+        ((), (4,), (), (4,)),
+        ((), (), (4,), (4,)),
+        ((2, 1), (3,), (2, 3), (2, 3)),
+    ],
+)
+def test_configurations_axes_and_points_broadcast(q: Any, frame: Any, point: Any, batch: Any):
+    R = np.broadcast_to(np.eye(3), (*frame, 3, 3))
+    assert jacobian(PUMA.chain(), np.full((*q, 6), 0.3), R, point=np.ones((*point, 3))).shape == (*batch, 6, 6)
+
+
+def test_a_result_elsewhere_is_written_where_asked():
+    chain, q, out = PUMA.chain(), np.full((3, 6), 0.3), np.full((3, 6, 6), np.nan)
+    assert jacobian(chain, q, np.eye(3), out, point="origin") is out
+    np.testing.assert_array_equal(out, jacobian(chain, q, point="origin"))
+    with pytest.raises(ChainError, match=r"out takes C-contiguous float64 of shape \(3, 6, 6\), got float64"):
+        jacobian(chain, q, point="origin", out=out[:2])
+
+
+@pytest.mark.parametrize(
+    ("call", "sentence"),
+    [
+        (lambda: jacobian(PUMA.chain(), TWO, 2 * np.eye(3)), "frame takes right-handed rotations"),
+        (lambda: jacobian(PUMA.chain(), TWO, np.eye(4)), r"frame takes shape \(\.\.\., 3, 3\), got \(4, 4\)"),
+        (
+            lambda: jacobian(PUMA.chain(), TWO, np.stack([np.eye(3)] * 3)),
+            r"frame takes a batch that fits \(2,\), got \(3,\)",
+        ),
+        (lambda: jacobian(PUMA.chain(), TWO, None), "frame takes real numbers"),
+        (lambda: jacobian(PUMA.chain(), TWO, "world", point="origin"), "frame takes 'base' or 'tool', got 'world'"),
+        (
+            lambda: jacobian(PUMA.chain(), TWO, point="elbow"),
+            r"point takes 'origin' or coordinates \(\.\.\., 3\), got 'elbow'",
+        ),
+        (
+            lambda: jacobian(PUMA.chain(), TWO, point=[1.0, 2.0]),
+            r"point takes 'origin' or coordinates .* got shape \(2,\)",
+        ),
+        (lambda: jacobian(PUMA.chain(), TWO, point=[1.0, 2.0, np.nan]), "point takes finite numbers"),
+        (
+            lambda: jacobian(PUMA.chain(), TWO, point=np.ones((3, 3))),
+            r"point takes a batch that fits \(2,\), got \(3,\)",
+        ),
+        (lambda: in_axes(np.ones((3, 6)), np.eye(3)), r"J takes shape \(\.\.\., 6, n\), got \(3, 6\)"),
+        (lambda: in_axes(np.ones((2, 6, 1)), np.stack([np.eye(3)] * 3)), "rotation takes a batch that fits"),
+        (lambda: at_point(np.ones(6), [1, 2, 3]), r"J takes shape \(\.\.\., 6, n\), got \(6,\)"),
+        (lambda: at_point(np.ones((6, 1)), [1, 2]), r"offset takes shape \(\.\.\., 3\), got \(2,\)"),
+        (lambda: at_point(np.ones((2, 6, 1)), np.ones((3, 3))), r"offset takes a batch that fits \(2,\)"),
+    ],
+)
+def test_unfit_axes_and_points_are_refused_with_a_sentence(call: Any, sentence: str):
+    with pytest.raises(ChainError, match=sentence):
+        call()
 
 
 @pytest.mark.parametrize(("count", "kinds"), [(2, "RRR"), (3, "RXR")])

@@ -8,7 +8,8 @@ import pytest
 from kinegrade.solutions.chain import ChainError
 from kinegrade.solutions.jacobian import jacobian
 from kinegrade.solutions.robots import ROBOTS
-from kinegrade.solutions.velocity import joint_rates, pseudoinverse, twist
+from kinegrade.solutions.rotation import vector_rotation
+from kinegrade.solutions.velocity import damped_inverse, joint_rates, null_projector, pseudoinverse, twist
 
 PUMA = ROBOTS["puma560"].chain()
 Q = (0.1, 0.5, 0.1, 0.8, 0.1, 0.2)
@@ -69,7 +70,12 @@ def test_rates_come_back_from_the_twist_they_make(name: str):
     chain = robot.chain()
     made = twist(chain, q, qdot)
     assert made.shape == (20, 6)
-    np.testing.assert_allclose(joint_rates(chain, q, made, robot.task_rows), qdot, rtol=0, atol=1e-7)
+    rates = joint_rates(chain, q, made, robot.task_rows)
+    np.testing.assert_allclose(twist(chain, q, rates)[:, robot.task_rows], made[:, robot.task_rows], rtol=0, atol=1e-9)
+    if robot.n == len(robot.task_rows):
+        np.testing.assert_allclose(rates, qdot, rtol=0, atol=1e-7)
+    else:
+        assert (np.linalg.norm(rates, axis=-1) <= np.linalg.norm(qdot, axis=-1) + 1e-9).all()
 
 
 def test_one_singular_configuration_spoils_no_batch():
@@ -112,6 +118,61 @@ def test_the_pseudoinverse_is_a_right_inverse_only_and_only_at_full_row_rank():
     assert np.abs(pseudoinverse(J) @ J - np.eye(7)).max() > 0.01
 
 
+def test_rates_and_twists_agree_in_any_axes_and_at_any_point():
+    R, point = vector_rotation([0.3, -0.8, 0.5]), np.array([0.4, -0.2, 0.9])
+    xi = twist(PUMA, Q, QDOT, R, point=point)
+    np.testing.assert_allclose(xi, jacobian(PUMA, Q, R, point=point) @ np.array(QDOT), rtol=0, atol=1e-14)
+    np.testing.assert_allclose(joint_rates(PUMA, Q, xi, WHOLE, R, point=point), QDOT, rtol=0, atol=1e-11)
+    at_origin = joint_rates(PUMA, Q, twist(PUMA, Q, QDOT, point="origin"), point="origin")
+    np.testing.assert_allclose(at_origin, QDOT, rtol=0, atol=1e-11)
+
+
+def test_damped_rates_are_those_of_the_formula_and_bounded_where_the_others_explode():
+    J, near = jacobian(PUMA, Q), (0.1, 0.5, 0.1, 0.8, 1e-6, 0.2)
+    expected = J.T @ np.linalg.solve(J @ J.T + 0.01 * np.eye(6), np.array(ALONG_X))
+    np.testing.assert_allclose(joint_rates(PUMA, Q, ALONG_X, damping=0.1), expected, rtol=0, atol=1e-13)
+    assert np.abs(joint_rates(PUMA, near, ALONG_X)).max() > 1e4
+    assert np.linalg.norm(joint_rates(PUMA, near, ALONG_X, damping=0.1)) <= 2 / (2 * 0.1)
+
+
+def test_damping_that_vanishes_leaves_the_rates_of_the_inverse():
+    np.testing.assert_allclose(
+        joint_rates(PUMA, Q, ALONG_X, damping=1e-9), joint_rates(PUMA, Q, ALONG_X), rtol=0, atol=1e-9
+    )
+
+
+def test_damping_may_differ_from_configuration_to_configuration():
+    q, damping = np.array([Q, np.zeros(6), Q]), np.array([0.1, 0.2, 0.3])
+    rates = joint_rates(PUMA, q, ALONG_X, damping=damping)
+    for k in range(3):
+        np.testing.assert_allclose(rates[k], joint_rates(PUMA, q[k], ALONG_X, damping=damping[k]), rtol=0, atol=1e-14)
+    assert damped_inverse(jacobian(PUMA, q), 0.1).shape == (3, 6, 6)
+    assert joint_rates(PUMA, Q, ALONG_X, damping=damping).shape == (3, 6)
+
+
+@pytest.mark.parametrize("damping", [0.0, 0.05])
+def test_preferred_rates_move_none_of_the_stated_rows(damping: float):
+    panda = ROBOTS["panda"].chain()
+    q, preferred = np.linspace(-1, 1, 7) - 0.5, np.array([1.0, -1, 1, -1, 1, -1, 1])
+    plain = joint_rates(panda, q, ALONG_X, damping=damping)
+    rates = joint_rates(panda, q, ALONG_X, damping=damping, preferred=preferred)
+    np.testing.assert_allclose(twist(panda, q, rates), twist(panda, q, plain), rtol=0, atol=1e-12)
+    assert np.abs(rates - plain).max() > 0.1
+    assert np.linalg.norm(rates - preferred) < np.linalg.norm(plain - preferred)
+    three = joint_rates(panda, q, ALONG_X, LINEAR, preferred=preferred)
+    np.testing.assert_allclose(twist(panda, q, three)[:3], ALONG_X[:3], rtol=0, atol=1e-12)
+
+
+def test_the_null_projector_is_the_orthogonal_one():
+    J = np.random.default_rng(5).normal(size=(4, 3, 7))
+    N = null_projector(J)
+    assert N.shape == (4, 7, 7)
+    np.testing.assert_allclose(J @ N, 0, rtol=0, atol=1e-13)
+    np.testing.assert_allclose(N @ N, N, rtol=0, atol=1e-13)
+    np.testing.assert_allclose(N, N.mT, rtol=0, atol=1e-13)
+    np.testing.assert_allclose(np.trace(N, axis1=-2, axis2=-1), 4, rtol=0, atol=1e-12)
+
+
 @pytest.mark.parametrize(
     ("call", "sentence"),
     [
@@ -121,6 +182,13 @@ def test_the_pseudoinverse_is_a_right_inverse_only_and_only_at_full_row_rank():
         (lambda: joint_rates(PUMA, Q, 2.0), r"twist takes shape \(\.\.\., 6\), got \(\)"),
         (lambda: joint_rates(PUMA, [Q, Q], [ALONG_X] * 3), r"twist takes as many rows as q"),
         (lambda: joint_rates(PUMA, Q, ALONG_X, [6]), r"rows takes some of the rows 0 to 5 of a twist, got \[6\]"),
+        (lambda: joint_rates(PUMA, Q, ALONG_X, damping=-0.1), "damping takes numbers above 0, got -0.1"),
+        (lambda: joint_rates(PUMA, [Q, Q], ALONG_X, damping=[0.1] * 3), "damping takes as many rows as q"),
+        (lambda: joint_rates(PUMA, Q, ALONG_X, preferred=[1.0]), r"preferred takes shape \(\.\.\., 6\), got \(1,\)"),
+        (lambda: joint_rates(PUMA, [Q, Q], ALONG_X, preferred=[Q] * 3), "preferred takes as many rows as q"),
+        (lambda: damped_inverse(np.eye(3), 0.0), "damping takes numbers above 0, got 0.0"),
+        (lambda: pseudoinverse(np.full((2, 2), np.nan)), "J takes finite numbers"),
+        (lambda: null_projector(np.zeros(3)), r"J takes shape \(\.\.\., m, n\), got \(3,\)"),
         (lambda: joint_rates(PUMA, Q, ALONG_X, []), r"rows takes some of the rows 0 to 5 of a twist, got \[\]"),
     ],
 )
