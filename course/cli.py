@@ -9,6 +9,7 @@ import os
 import sys
 from contextlib import contextmanager
 from pathlib import Path
+from shlex import quote
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -77,7 +78,7 @@ def init(folder: Annotated[Path, typer.Argument(help="A new course folder.")]) -
 
     write_course(folder)
     print(f"{folder / 'course.toml'}\n{folder / 'roster.csv'}")
-    say(f"Fill in roster.csv, then: kinegrade generate --course {folder}")
+    say(f"Fill in roster.csv, then: kinegrade generate --course {quote(str(folder))}")
 
 
 @app.command()

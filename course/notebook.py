@@ -107,7 +107,8 @@ def _heading(course: str, sheet: Sheet, student: Student, pairs: Sequence[Pair])
         ),
         (
             "The numbers on this sheet are yours alone. Replace each `...` by your answer and keep the names of the "
-            "variables: answers are collected by name. Run all cells, save, and hand in this file."
+            "variables: answers are collected by name. At the end restart the kernel and run all cells - the sheet is "
+            "marked in that way, from top to bottom - then save and hand in this file."
         ),
         (
             "Units are metres, radians and seconds. In every Jacobian and twist the linear rows stand above the "

@@ -82,6 +82,14 @@ class Step:
     numbers: ArrayLike | None = None
 
 
+@dataclass(frozen=True)
+class Mistake:
+    """A known mistake: the sentence that names the step to look at again, and the answer it leads to."""
+
+    sentence: str
+    solve: Callable[[Variant, Given], Any]
+
+
 @dataclass(frozen=True, eq=False)
 class Part:
     """One question. `solve(v, given)` returns the reference answer from the variant and the parts in `needs`.
@@ -103,6 +111,7 @@ class Part:
     credit: Credit = "entry"
     tolerance: float | None = None
     hints: tuple[str, ...] = ()
+    mistakes: tuple[Mistake, ...] = ()
     explain: Callable[[Variant, Given], Sequence[Step]] | None = None
 
 

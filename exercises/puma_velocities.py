@@ -15,7 +15,7 @@ from ..solutions.robots import ROBOTS
 from ..solutions.velocity import joint_rates
 from .drawing import Drawing, Triad
 from .draws import angles, rates
-from .exercise import Exercise, Given, Numbers, Outcome, Part, Step, Variant
+from .exercise import Exercise, Given, Mistake, Numbers, Outcome, Part, Step, Variant
 
 ROBOT = ROBOTS["puma560"]
 CHAIN = ROBOT.chain()
@@ -65,6 +65,25 @@ def named_reading(v: Variant, _: Given, value: Array) -> Outcome:
         if np.abs(other - value).max() <= 1e-2:
             return Outcome(reading=f"This meets {words}.")
     return Outcome()
+
+
+def one_frame_late(v: Variant, _: Given) -> Array:
+    """Columns from frame i in place of frame i - 1."""
+    poses = ROBOT.frames({}, v["q"])
+    z, o = poses[1:, :3, 2], poses[1:, :3, 3]
+    return np.concatenate([np.cross(z, o[-1] - o).T, z.T]).astype(np.float64)
+
+
+MISTAKES = (
+    Mistake(
+        "This is the Jacobian in the axes of the tool frame; base axes are asked.",
+        lambda v, _: jacobian(CHAIN, v["q"], frame="tool"),
+    ),
+    Mistake(
+        "Column i seems to be taken from frame i; in the standard convention the axis of joint i is z of frame i - 1.",
+        one_frame_late,
+    ),
+)
 
 
 def explain_jacobian(v: Variant, given: Given) -> list[Step]:
@@ -167,6 +186,7 @@ EXERCISE = Exercise(
             4,
             Numbers((6, 6), [["m/rad"]] * 3 + [["1"]] * 3),
             jacobian_at_q,
+            mistakes=MISTAKES,
             hints=(
                 "Column i takes the z axis and the origin of frame i - 1.",
                 "Toolboxes also print a Jacobian in the tool frame; base axes are asked here.",

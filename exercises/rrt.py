@@ -15,7 +15,7 @@ from ..solutions.robots import ROBOTS, Robot
 from ..solutions.table import Table
 from .drawing import Dimension, Drawing, Triad, point
 from .draws import angles, length
-from .exercise import Exercise, Given, Numbers, Part, Step, TableOf, Variant
+from .exercise import Exercise, Given, Mistake, Numbers, Part, Step, TableOf, Variant
 
 Array = NDArray[np.float64]
 LENGTHS = ("d1", "a1", "d2", "l3")
@@ -84,6 +84,21 @@ def jacobian_of(_: Variant, given: Given) -> Array:
         else:
             J[:3, i] = z
     return J
+
+
+def one_frame_late(_: Variant, given: Given) -> Array:
+    """Columns from frame i in place of frame i - 1."""
+    poses: Array = given["rrt_T"]
+    revolute = np.array([kind == "R" for kind in given["rrt_dh"].kinds])
+    z, o = poses[:, :3, 2], poses[:, :3, 3]
+    turned = np.concatenate([np.cross(z, o[-1] - o).T, z.T])
+    return np.where(revolute, turned, np.concatenate([z.T, np.zeros((3, 3))]))
+
+
+def link_transforms(v: Variant, given: Given) -> Array:
+    """From each frame to the next, in place of from the fixed frame."""
+    poses: Array = given["rrt_dh"].frames(lengths(v), v["q"])
+    return np.linalg.inv(poses[:-1]) @ poses[1:]
 
 
 def explain_table(v: Variant, given: Given) -> list[Step]:
@@ -202,7 +217,7 @@ EXERCISE = Exercise(
         Part(
             "rrt_dh",
             r"The DH table: one row $[\theta_i, d_i, a_i, \alpha_i]$ per joint, as text in the names of your lengths and "
-            r"q1, q2, q3, such as `['q1', 'd1', 0, 'pi/2']`, or as numbers at your $\mathbf q$ (radians, metres)",
+            r"q1, q2, q3, for instance `['q1 + pi', 0.25, 'd1', 'pi/3']`, or as numbers at your $\mathbf q$ (radians, metres)",
             3,
             TableOf(LENGTHS, KINDS),
             table,
@@ -219,6 +234,11 @@ EXERCISE = Exercise(
             3,
             Numbers((3, 4, 4), [[["1", "1", "1", "m"]] * 3 + [["1"] * 4]], decimals=3),
             transforms,
+            mistakes=(
+                Mistake(
+                    "These lead from each frame to the next; all three shall start at the fixed frame.", link_transforms
+                ),
+            ),
             needs=("rrt_dh",),
             hints=("Multiply from the left to the right: T01, then T01 @ T12, then the last.",),
             explain=explain_transforms,
@@ -229,6 +249,13 @@ EXERCISE = Exercise(
             4,
             Numbers((6, 3), [["m/rad", "m/rad", "1"]] * 3 + [["1", "1", "1"]] * 3, decimals=3),
             jacobian_of,
+            mistakes=(
+                Mistake(
+                    "Column i seems to be taken from frame i; in the standard convention the axis of joint i is z of "
+                    "frame i - 1.",
+                    one_frame_late,
+                ),
+            ),
             needs=("rrt_T", "rrt_dh"),
             hints=(
                 "What does a prismatic joint contribute to the angular velocity?",

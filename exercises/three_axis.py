@@ -209,7 +209,7 @@ EXERCISE = Exercise(
             angular,
             needs=("three_axis_z",),
             follow=0,  # it repeats z; whoever has z wrong has this wrong
-            hints=("What is the joint type function of a revolute joint?",),
+            hints=("A revolute joint turns the tool about its own axis.",),
             explain=explain_angular,
         ),
         Part(
@@ -219,7 +219,6 @@ EXERCISE = Exercise(
             Numbers((6, 3), [["m/rad"]] * 3 + [["1"]] * 3, decimals=3),
             stacked,
             needs=("three_axis_A", "three_axis_B"),
-            follow=0,  # it stacks what is marked above
             hints=("Nothing is left to compute.",),
             explain=explain_stacked,
         ),

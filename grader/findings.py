@@ -37,16 +37,18 @@ PRESENTATIONS = (
         _swapped_blocks, "The angular rows seem to stand above the linear ones; linear rows come first.", worthless=True
     ),
     Presentation(np.negative, "Every sign is reversed.", worthless=True),
-    Presentation(
-        lambda J: 1000.0 * J, "Every number is 1000 times too large: metres are asked, not millimetres.", worthless=True
-    ),
     Presentation(lambda J: J[:, ::-1] if J.ndim == 2 else None, "The columns stand in reverse order.", worthless=True),
 )
 
 
-def presentation(right_in: Callable[[Array], bool], reference: Array) -> Presentation | None:
+MILLIMETRES = "Lengths are 1000 times too large: metres are asked, not millimetres."
+
+
+def presentation(right_in: Callable[[Array], bool], reference: Array, answer: Numbers) -> Presentation | None:
     """The first known presentation of `reference` that the answer agrees with; `right_in` compares with the answer."""
-    for known in PRESENTATIONS:
+    lengths = np.char.startswith(answer.unit_of_entries(), "m")
+    in_millimetres = Presentation(lambda J: np.where(lengths, 1000.0, 1.0) * J, MILLIMETRES, worthless=True)
+    for known in (*PRESENTATIONS, in_millimetres):
         seen = known.of(reference)
         if seen is not None and seen.shape == reference.shape and right_in(seen):
             return known
@@ -61,10 +63,15 @@ def findings(
         return
     reference = np.asarray(part.solve(v, given), dtype=float)
     allowed = tolerance(exercise.slug, part, v, given, exercise.scale(v))
-    known = presentation(lambda seen: bool((np.abs(value - seen) <= allowed).all()), reference)
+    known = presentation(lambda seen: bool((np.abs(value - seen) <= allowed).all()), reference, part.answer)
     if known:
         yield Finding(known.sentence)
         return
+    for mistake in part.mistakes:
+        seen = np.asarray(mistake.solve(v, given), dtype=float)
+        if seen.shape == value.shape and (np.abs(value - seen) <= allowed).all():
+            yield Finding(mistake.sentence)
+            return
     if _in_degrees(exercise, part, v, value, allowed):
         yield Finding("It is what comes out when the angles of q, given in radians, are taken as degrees.")
         return

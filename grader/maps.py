@@ -4,6 +4,7 @@
 import os
 import re
 from collections.abc import Mapping
+from contextlib import suppress
 from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -73,8 +74,11 @@ def save(robot: "Robot", path: Path, parameters: Parameters = None) -> None:
         with mpl.rc_context(STYLE):
             drawn.savefig(unfinished, format=suffix[1:], metadata=dates[suffix])
         unfinished.replace(path)
+    except OSError as error:
+        raise FigureError(f"{path} cannot be written: {error.strerror or error}.") from error
     finally:
-        unfinished.unlink(missing_ok=True)
+        with suppress(OSError):
+            unfinished.unlink(missing_ok=True)
 
 
 def joint_map(robot: "Robot", parameters: Parameters = None) -> JointMap:

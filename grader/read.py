@@ -1,5 +1,6 @@
 """From raw values to answers of the declared kind: shape before anything else, then finite, then values."""
 
+import re
 from collections.abc import Callable
 from typing import Any, cast
 
@@ -13,7 +14,7 @@ from .wire import Raw
 
 THETA = 0
 DUST = 1e-12
-SAME_ANGLE = 2e-3  # of a quarter turn
+SAME_ANGLE = 8e-3  # of a quarter turn, 0.7 degrees: two decimals of a radian are still the own q
 
 
 class Unreadable(KinegradeError):
@@ -40,6 +41,9 @@ def _numbers(answer: Numbers, raw: Raw, _: Variant) -> NDArray[np.float64]:
     if np.iscomplexobj(array):
         raise Unreadable("takes real numbers, got complex ones")
     shape = array.shape
+    if len(answer.shape) == 3 and shape == (answer.shape[0] * answer.shape[1], answer.shape[2]):
+        array = array.reshape(answer.shape)  # the matrices of a stack one below the other
+        shape = array.shape
     if shape != answer.shape and not (len(answer.shape) == 1 and sorted(shape) == sorted((1, *answer.shape))):
         raise Unreadable(f"takes shape {answer.shape}, got {shape}{_shape_hint(shape, answer.shape)}")
     if not np.isfinite(array).all():
@@ -65,7 +69,7 @@ def _place(where: tuple[int, ...]) -> str:
 def _table(answer: TableOf, raw: Raw, v: Variant) -> Table:
     joints = tuple(f"q{i}" for i in range(1, len(answer.kinds) + 1))
     names = tuple(name for name in answer.names if name in v and name not in joints) + joints
-    cells = _cells(raw, (len(answer.kinds), 4))
+    cells = [[_plain(cell, names) for cell in row] for row in _cells(raw, (len(answer.kinds), 4))]
     for i, (row, kind) in enumerate(zip(cells, answer.kinds, strict=True)):
         _complete(row, "RP".index(kind), i, v)
     try:
@@ -73,8 +77,18 @@ def _table(answer: TableOf, raw: Raw, v: Variant) -> Table:
         values = {name: v[name] for name in names if name not in joints}
         table.numbers({**values, **dict(zip(joints, v["q"], strict=True))})  # every cell has a value
     except KinegradeError as error:
-        raise Unreadable(str(error)) from error
+        said, *cell = str(error).splitlines()
+        place = f", in {cell[0].strip()!r}" if cell else ""
+        known = f"; the names of this table are {', '.join(names)}" if "nknown name" in said else ""
+        raise Unreadable(f"{said}{place}{known}") from error
     return table
+
+
+def _plain(cell: str, names: tuple[str, ...]) -> str:
+    """A cell as our formulas have it: np.pi is pi, rrt_d1 is d1, d_1 is d1, theta1 is q1."""
+    text = re.sub(r"\b(?:np|numpy|math|sp|sympy)\.(?=[a-z])", "", cell)
+    text = re.sub(rf"\b[A-Za-z]\w*_(?={'|'.join(names)}\b)", "", text)
+    return re.sub(r"(?:\b(?:theta|th)|θ)_?([1-9])\b", r"q\1", re.sub(r"\b([A-Za-z])_([1-9])\b", r"\1\2", text))
 
 
 def _cells(raw: Raw, shape: tuple[int, int]) -> list[list[str]]:

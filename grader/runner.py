@@ -19,7 +19,8 @@ import types
 import warnings
 
 MAX_ELEMENTS, MAX_TEXT, MAX_OUTPUT = 4096, 400, 1 << 16
-HARMLESS_MAGICS = {"matplotlib", "load_ext", "autoreload", "config", "precision", "pylab", "time", "timeit"}
+HARMLESS_MAGICS = {"matplotlib", "load_ext", "autoreload", "config", "precision", "pylab", "pip", "conda", "reset"}
+TIMING_MAGICS = {"time", "timeit"}
 
 
 class CellTimeout(BaseException):
@@ -41,14 +42,16 @@ class Capped(io.TextIOBase):
 
 
 class Shell:
-    """What get_ipython() returns: harmless magics do nothing, the shell is refused with a sentence."""
+    """What get_ipython() returns: harmless magics and shell lines do nothing, other magics are refused."""
 
     def __init__(self, run):
         self.run = run
 
     def run_line_magic(self, name, line, *_args, **_kwargs):
         if name in HARMLESS_MAGICS:
-            return self.run(line) if name in ("time", "timeit") else None
+            return None
+        if name in TIMING_MAGICS:
+            return self.run(line)
         raise NameError(f"the magic %{name} is not run when a sheet is marked")
 
     def run_cell_magic(self, name, _line, cell):
@@ -57,7 +60,7 @@ class Shell:
         raise NameError(f"the magic %%{name} is not run when a sheet is marked")
 
     def system(self, _command):
-        raise PermissionError("shell commands are not run when a sheet is marked")
+        """A shell line, such as an installation, is passed over; what depends on it says so by itself."""
 
     getoutput = system
 
@@ -98,6 +101,8 @@ def encode(value):
         return {"k": "missing", "v": ""}
     if hasattr(value, "tolist") and hasattr(value, "free_symbols"):  # a sympy matrix
         value = value.tolist()
+    if type(value).__module__ == "numpy" and getattr(value, "dtype", None) is not None and value.dtype.kind in "OUS":
+        value = value.tolist()  # an array of formulas
     if isinstance(value, str) or holds_text(value):
         return {"k": "text", "v": plain_text(value)}
     try:
@@ -199,18 +204,26 @@ def failure(number, error, seconds):
     return f"cell {number} stopped with {type(error).__name__}: {str(error)[:200]}"
 
 
+def not_json(text, error):
+    start = text.lstrip()[:1]
+    return "it is empty" if not start else "it is a web page" if start == "<" else str(error)[:100]
+
+
 def run(request, write):
     names, seconds = request["asks"], request["cell_seconds"]
     try:
         cells = code_cells(request["notebook"])
     except (ValueError, TypeError, AttributeError, RecursionError) as error:
-        reason = f"the file is not a notebook: {str(error)[:100]}"
+        reason = f"the file is not a notebook: {not_json(request['notebook'], error)}"
         return write({"done": True, "values": {name: {"k": "error", "v": reason} for name in names}})
     module = types.ModuleType("__main__")
     sys.modules["__main__"] = module
     sys.modules["kinegrade"] = None  # the reference engine is no way to answer the sheet
     scope, transform, failures = module.__dict__, transformer(), {}
     scope.update(__builtins__=builtins, display=print)
+    first = ""
+    scope["np"] = sys.modules["numpy"]  # a sheet's first cell imports it; one failing line beside it costs no answers
+    write({"done": not cells, "values": {name: {"k": "missing", "v": ""} for name in names}})
     shell = Shell(lambda source: run_cell(source, scope, transform))
     scope["get_ipython"] = lambda: shell
     for number, source in enumerate(cells, 1):
@@ -218,6 +231,9 @@ def run(request, write):
         _, error = limited(lambda source=source: run_cell(source, scope, transform), seconds)
         if error:
             said = failure(number, error, seconds)
+            if isinstance(error, NameError) and first:
+                said += f"; before that, {first}"
+            first = first or said
             touched = assigned_names(source)
             failures |= {name: said for name in names if name in touched and id(scope.get(name)) == before[name]}
         write({"done": number == len(cells), "values": snapshot(names, scope, failures, seconds)})

@@ -89,7 +89,6 @@ def test_what_is_no_matrix_says_what_it_is(code, kind, words):
         ("import sys\nx = sys.exit(3)", "SystemExit"),
         ("x = 'a' * 10**11", "more memory"),
         ("from kinegrade.solutions.jacobian import jacobian\nx = jacobian", "ModuleNotFoundError"),
-        ("x = !ls", "shell commands are not run"),
         ("%run other.py\nx = 2", "is not run when a sheet is marked"),
     ],
 )
@@ -134,6 +133,36 @@ def test_thousands_of_nested_folders_are_cleared_away(tmp_path, monkeypatch):
     monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
     run("import os\nfor _ in range(3000):\n    os.mkdir('d')\n    os.chdir('d')\nx = 1")
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("line", ["%pip install scipy", "!pip install scipy", "%reset -f", "%load_ext autoreload"])
+def test_an_installation_before_an_import_costs_nothing(line):
+    assert value(run(f"{line}\nimport numpy as np\ny = 2", "x = np.float64(y)")["x"]) == 2
+
+
+def test_numpy_is_there_even_when_the_first_cell_fails():
+    assert value(run("import no_such_package\nimport numpy as np", "x = np.eye(2)")["x"]).shape == (2, 2)
+
+
+def test_an_error_that_follows_from_an_earlier_cell_names_that_cell():
+    said = run("import no_such_package\na = 1", "x = a")["x"].value
+    assert "cell 2 stopped with NameError" in said
+    assert "before that, cell 1 stopped with ModuleNotFoundError" in said
+
+
+@pytest.mark.parametrize("data", [b'{"cells": []}', b'{"cells": [{"cell_type": "markdown", "source": ""}]}'])
+def test_a_notebook_without_code_is_unanswered(data):
+    assert collect(data, [Ask("x")], LIMITS)["x"].kind == "missing"
+
+
+@pytest.mark.parametrize(("data", "words"), [(b"", "it is empty"), (b"<!doctype html>", "it is a web page")])
+def test_a_file_that_is_no_notebook_says_what_it_is(data, words):
+    assert words in collect(data, [Ask("x")], LIMITS)["x"].value
+
+
+def test_an_array_of_formulas_is_text():
+    found = run("import numpy as np\nx = np.array([['q1', 'd1'], ['q2', 0]], dtype=object)")["x"]
+    assert (found.kind, found.value[0]) == ("text", ["q1", "d1"])
 
 
 def test_children_of_a_notebook_do_not_outlive_it(tmp_path):

@@ -172,7 +172,7 @@ def test_a_failed_save_leaves_the_old_file_and_no_other(tmp_path, monkeypatch):
         raise OSError("disk full")
 
     monkeypatch.setattr(Figure, "savefig", broken)
-    with pytest.raises(OSError, match="disk full"):
+    with pytest.raises(FigureError, match=r"arm\.png cannot be written: disk full"):
         save(ROBOTS["planar_2r"], path)
     assert [p.read_bytes() for p in tmp_path.iterdir()] == [b"old"]
 

@@ -24,6 +24,10 @@ def text_of(verdict):
     return " ".join(finding.text for finding in verdict.findings)
 
 
+def in_millimetres(J):
+    return np.concatenate([1000 * J[:3], J[3:]])
+
+
 def swap_blocks(J):
     return np.concatenate([J[3:], J[:3]])
 
@@ -51,6 +55,7 @@ def flip(i, j):
         ("three_axis", "three_axis_p", lambda p: 1000 * p, "metres are asked, not millimetres"),
         ("rrt", "rrt_J", swap_blocks, "angular rows seem to stand above"),
         ("rrt", "rrt_T", lambda T: np.swapaxes(T, 1, 2), "transposed"),
+        ("puma_velocities", "puma_velocities_J", in_millimetres, "metres are asked, not millimetres"),
     ],
 )
 def test_a_known_mistake_is_named(slug, name, change, words, seed):
@@ -196,3 +201,25 @@ def test_no_verdict_holds_a_reference_value_that_was_not_handed_in(exercise):
         for x in np.unique(np.abs(answers[name])):
             if 0.01 < x < 100 and abs(x - round(x, 2)) > 1e-6:
                 assert f"{x:.4f}" not in said
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+@pytest.mark.parametrize(
+    ("slug", "name"), [(slug, p.variable) for slug, e in EXERCISES.items() for p in e.parts if p.mistakes]
+)
+def test_a_mistake_that_an_exercise_knows_is_named(slug, name, seed):
+    exercise, v = EXERCISES[slug], variant_of(slug, seed)
+    answers = references(exercise, v)
+    part = next(part for part in exercise.parts if part.variable == name)
+    for mistake in part.mistakes:
+        own = answers | {name: mistake.solve(v, {need: answers[need] for need in part.needs})}
+        verdicts = {verdict.part: verdict for verdict in mark(exercise, v, raws(own))}
+        assert mistake.sentence in text_of(verdicts[name])
+
+
+def test_rates_follow_from_a_jacobian_in_the_tool_frame():
+    exercise, v = EXERCISES["puma_velocities"], variant_of("puma_velocities")
+    J, twist, qdot = exercise.parts
+    own = {J.variable: J.mistakes[0].solve(v, {})}
+    own |= {part.variable: part.solve(v, own) for part in (twist, qdot)}
+    assert [verdict.points for verdict in mark(exercise, v, raws(own))] == [0, 2, 3]

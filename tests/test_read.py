@@ -121,3 +121,25 @@ def test_a_sentence_about_a_table_stays_short():
     with pytest.raises(Unreadable) as caught:
         read(TABLE, raw([["a"]] * 60), V)
     assert len(str(caught.value)) < 200
+
+
+@pytest.mark.parametrize(
+    ("cell", "plain"),
+    [("np.pi/2", "pi/2"), ("rrt_d1", "d1"), ("d_1", "d1"), ("-math.pi/2", "-pi/2"), ("2*rrt_a1 - d_1", "2*a1 - d1")],
+)
+def test_a_cell_may_be_written_as_in_the_notebook(cell, plain):
+    typed = read(TABLE, raw([["theta_1", cell, "0", "0"], ["th2", "0", "0", "0"], ["0", "q3", "0", "0"]]), V)
+    meant = read(TABLE, raw([["q1", plain, "0", "0"], ["q2", "0", "0", "0"], ["0", "q3", "0", "0"]]), V)
+    assert typed.rows == meant.rows
+
+
+def test_an_unknown_name_in_a_table_lists_the_known_ones_in_one_line():
+    with pytest.raises(Unreadable) as caught:
+        read(TABLE, raw([["q1", "d7", "0", "0"], ["q2", "0", "0", "0"], ["0", "q3", "0", "0"]]), V)
+    assert "the names of this table are d1, a1, q1, q2, q3" in str(caught.value)
+    assert "\n" not in str(caught.value)
+
+
+def test_a_stack_may_be_handed_in_as_one_tall_matrix():
+    tall = np.arange(48.0).reshape(12, 4)
+    np.testing.assert_array_equal(read(Numbers((3, 4, 4)), raw(tall), V), tall.reshape(3, 4, 4))
