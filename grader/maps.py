@@ -98,11 +98,12 @@ def joint_map(robot: "Robot", parameters: Parameters = None) -> JointMap:
     block = task_block(part, q)
     det = np.linalg.det(block) if block.shape[-1] == block.shape[-2] else None
     at = np.concatenate([held, np.zeros(robot.n - n)])
-    curves = tuple(
+    curves = (
         (factor.name, zero_set(robot, factor.name, parameters, free=free, at=at, ranges=spans))
         for factor in part.factors
     )
-    return JointMap(part, free, spans, held, sigma_min(block), det, curves)
+    seen = tuple((name, lines) for name, lines in curves if lines)  # a wrist has no line on a map of shoulder and elbow
+    return JointMap(part, free, spans, held, sigma_min(block), det, seen)
 
 
 @lru_cache(maxsize=8)
@@ -174,7 +175,7 @@ def describe(robot: "Robot", parameters: Parameters = None) -> str:
         f"Singularities and workspace: {robot.title} ({values}).",
         f"Over {first} and {second}, the smallest singular value of the {point}'s Jacobian block is at most {bound}.",
         f"It falls to zero, where the {point} loses a direction, on: {where}." if where else "",
-        sign_rule(part) if found.det is not None else "",
+        sign_rule(found) if found.det is not None else "",
         f"Within the joint limits the {point} gets from {near:.3g} m to {far:.3g} m away from axis 1.",
         _walls(part, cut),
     ]

@@ -126,6 +126,8 @@ def _joint_axes(ax: "Axes", found: JointMap) -> None:
             angle_ticks(axis, found.spans[found.free.index(i)])
             axis.set_label_text(f"{name} [rad]")
         else:
+            low, high = found.spans[found.free.index(i)]
+            axis.set_ticks([tick for tick in axis.get_ticklocs() if low <= tick <= high])
             axis.set_label_text(f"{name} [m]")
 
 
@@ -223,7 +225,7 @@ def _draw_det(ax: "Axes", found: JointMap, formula: str | None) -> None:
         ax.text(x, y, sign, color="white", size=17, ha="center", va="center", clip_on=True)
     rows = ", ".join(f"${ROWS[row]}$" for row in found.part.rows)
     note = f"$\\mathbf{{A}}$: rows {rows} of the {found.part.point}'s Jacobian;\nwhite: $\\det\\mathbf{{A}}=0$"
-    rule = sign_rule(found.part).replace("det A", "it").rstrip(".")
+    rule = sign_rule(found).replace("det A", "it").rstrip(".")
     note += ";\n" + _wrapped(rule, 56) if rule else ""
     ax.text(0.5, 0.0, note, transform=below(ax), ha="center", va="top", size=10, linespacing=1.3)
     ax.set_title(r"Sign of $\det\mathbf{A}$ tells postures apart" + (f"\n{formula}" if formula else ""))
@@ -260,9 +262,11 @@ def short(name: str) -> str:
     return name.partition(":")[0]
 
 
-def sign_rule(part: Arm) -> str:
-    """The sentence on where the determinant changes sign; empty if it never does."""
-    crossed, touched = ([short(f.name) for f in part.factors if f.power % 2 == odd] for odd in (1, 0))
+def sign_rule(found: JointMap) -> str:
+    """The sentence on where the determinant changes sign on a map; empty if it never does."""
+    names = {name for name, _ in found.curves}
+    factors = [f for f in found.part.factors if f.name in names]
+    crossed, touched = ([short(f.name) for f in factors if f.power % 2 == odd] for odd in (1, 0))
     if not crossed:
         return ""
     rule = f"det A changes sign across {' and '.join(crossed)}"

@@ -53,9 +53,9 @@ def ready(monkeypatch):
 
 
 @pytest.mark.parametrize("name", ROBOTS)
-def test_every_robot_has_three_panels_that_name_its_factors(name):
+def test_every_robot_has_its_panels_and_names_its_factors(name):
     picture = drawn(name)
-    assert len(picture.axes) == 3
+    assert len(picture.axes) == (2 if mapped(name).det is None else 3)  # seven joints have no determinant
     legends = _texts(picture).replace("\n", " ")
     for curve, _ in mapped(name).curves:
         assert curve in legends
@@ -97,7 +97,7 @@ def test_the_pumas_map_draws_both_elbow_lines_over_its_whole_width():
     assert sorted(round(float(np.degrees(line[0, 1])), 3) for line in elbow) == [-87.308, 92.692]
 
 
-@pytest.mark.parametrize("name", ROBOTS)
+@pytest.mark.parametrize("name", [name for name, robot in ROBOTS.items() if robot.factors])
 def test_the_map_is_dark_on_the_named_curves_and_nowhere_else(name):
     found = mapped(name)
     lines = np.concatenate([line for _, curves in found.curves for line in curves])
@@ -109,7 +109,8 @@ def test_the_map_is_dark_on_the_named_curves_and_nowhere_else(name):
             near[np.clip(row + a, 0, 180), np.clip(column + b, 0, 180)] = True
     top = found.sigma.max()
     assert found.sigma[row, column].max() < 0.08 * top
-    assert found.sigma[~near].min() > 3e-4 * top
+    steep = any(factor.power > 1 for factor in found.part.factors)  # where q3^2 meets s2, sigma is of third order
+    assert found.sigma[~near].min() > (5e-5 if steep else 3e-4) * top
 
 
 @pytest.mark.usefixtures("coarse")
