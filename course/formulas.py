@@ -67,10 +67,20 @@ def page_text(text: str) -> str:
 
     parts = re.split(r"(\$[^$]+\$|`[^`]+`)", text)
     return "".join(
-        convert(part[1:-1])
+        _bold(convert(part[1:-1]))
         if part.startswith("$")
         else f"<code>{escape(part[1:-1])}</code>"
         if part.startswith("`")
         else escape(part)
         for part in parts
     )
+
+
+def _bold(mathml: str) -> str:
+    """Bold letters as characters of their own: browsers pass over mathvariant."""
+
+    def letter(match: re.Match[str]) -> str:
+        first = 0x1D400 - ord("A") if match[1].isupper() else 0x1D41A - ord("a")
+        return f"<mi>{chr(ord(match[1]) + first)}</mi>"
+
+    return re.sub(r'<mi mathvariant="bold">([A-Za-z])</mi>', letter, mathml)

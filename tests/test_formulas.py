@@ -35,6 +35,11 @@ def test_given_numbers_carry_their_units(name, value, units, text):
     assert given_number(name, value, units) == text
 
 
+def test_bold_letters_are_bold_in_every_browser():
+    assert "<mi>\N{MATHEMATICAL BOLD SMALL P}</mi>" in page_text(r"$\mathbf p$")
+    assert "mathvariant" not in page_text(r"$\mathbf{J}$ and $\dot{\mathbf q}_b$")
+
+
 def test_page_text_is_mathml_and_code_and_everything_else_is_escaped():
     html = page_text(r"<b>x</b> & $\mathbf{J}$ and `<i>`")
     assert html.startswith("&lt;b&gt;x&lt;/b&gt; &amp; <math")
