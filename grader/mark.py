@@ -61,7 +61,14 @@ def mark(exercise: Exercise, v: Variant, raws: Mapping[str, Raw], others: Others
             found = Finding(f"This is the reference answer of {owner}'s variant.", private=True)
             verdict = replace(verdict, findings=(*verdict.findings, found))
         answers[part.variable], verdicts[part.variable] = answer, verdict
-    return list(verdicts.values())
+    return [_with_note(verdict, raws.get(name, Raw("missing"))) for name, verdict in verdicts.items()]
+
+
+def _with_note(verdict: Verdict, raw: Raw) -> Verdict:
+    """The verdict, with how the cell ended that left a wrong value behind."""
+    if not raw.note or verdict.status not in ("incorrect", "partly"):
+        return verdict
+    return replace(verdict, findings=(*verdict.findings, Finding(f"In your file: {raw.note[:MOST_TEXT]}.")))
 
 
 def _unreadable(part: Part, raw: Raw, sentence: str) -> Verdict:

@@ -169,8 +169,9 @@ def snapshot(names, scope, failures, seconds):
         value, error = limited(lambda name=name: encode(scope.get(name, ...)), seconds)
         if error:
             value = {"k": "error", "v": f"could not be read ({type(error).__name__})"}
-        if name in failures and value["k"] in ("missing", "error"):
-            value = {"k": "error", "v": failures[name]}
+        if name in failures:
+            lost = value["k"] in ("missing", "error")
+            value = {"k": "error", "v": failures[name]} if lost else dict(value, note=failures[name])
         values[name] = value
     return values
 
@@ -227,7 +228,6 @@ def run(request, write):
     shell = Shell(lambda source: run_cell(source, scope, transform))
     scope["get_ipython"] = lambda: shell
     for number, source in enumerate(cells, 1):
-        before = {name: id(scope.get(name)) for name in names}
         _, error = limited(lambda source=source: run_cell(source, scope, transform), seconds)
         if error:
             said = failure(number, error, seconds)
@@ -235,7 +235,10 @@ def run(request, write):
                 said += f"; before that, {first}"
             first = first or said
             touched = assigned_names(source)
-            failures |= {name: said for name in names if name in touched and id(scope.get(name)) == before[name]}
+            failures |= {name: said[:MAX_TEXT] for name in names if name in touched}
+        else:
+            for name in assigned_names(source) & failures.keys():
+                del failures[name]
         write({"done": number == len(cells), "values": snapshot(names, scope, failures, seconds)})
     return None
 

@@ -17,14 +17,22 @@ Text = Annotated[str, Field(max_length=400)]
 
 @dataclass(frozen=True, eq=False)
 class Raw:
-    """A value as it came out, not yet read: an array, nested text, or why there is none."""
+    """A value as it came out, not yet read: an array, nested text, or why there is none.
+
+    `note` says how the cell that set it ended, where it did not end well.
+    """
 
     kind: Kind
     value: Any = None
+    note: str = ""
 
 
 class _Checked(BaseModel):
     model_config = ConfigDict(strict=True, extra="forbid")
+
+
+class _Noted(_Checked):
+    note: Text = ""
 
 
 class _Array(_Checked):
@@ -40,12 +48,12 @@ class _Array(_Checked):
         return self
 
 
-class _Numeric(_Checked):
+class _Numeric(_Noted):
     k: Literal["num"]
     v: _Array
 
 
-class _Text(_Checked):
+class _Text(_Noted):
     k: Literal["text"]
     v: Text | Annotated[list[Text | Annotated[list[Text], Field(max_length=64)]], Field(max_length=64)]
 
@@ -100,7 +108,7 @@ def _read_value(data: Any) -> Raw:
     except (ValidationError, RecursionError):
         return Raw("error", "the value is not one that can be marked")
     if not isinstance(value, _Numeric):
-        return Raw(value.k, value.v)
+        return Raw(value.k, value.v, value.note if isinstance(value, _Text) else "")
     real = np.array(value.v.re, dtype=float)
     array = real + 1j * np.array(value.v.im) if any(value.v.im) else real
-    return Raw("num", array.reshape(value.v.shape))
+    return Raw("num", array.reshape(value.v.shape), value.note)

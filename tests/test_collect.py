@@ -144,10 +144,25 @@ def test_numpy_is_there_even_when_the_first_cell_fails():
     assert value(run("import no_such_package\nimport numpy as np", "x = np.eye(2)")["x"]).shape == (2, 2)
 
 
+def test_a_long_error_costs_no_more_than_its_end():
+    found = run("raise ValueError('e' * 999)", "y = 1\nx = z", "y = x", names=("x", "y"))
+    assert value(found["y"]) == 1
+    assert found["x"].kind == "error"
+    assert len(found["y"].note) <= 400
+
+
 def test_an_error_that_follows_from_an_earlier_cell_names_that_cell():
     said = run("import no_such_package\na = 1", "x = a")["x"].value
     assert "cell 2 stopped with NameError" in said
     assert "before that, cell 1 stopped with ModuleNotFoundError" in said
+
+
+def test_a_cell_that_stops_half_way_leaves_its_value_and_says_so():
+    half = "x = [0.0, 0.0]\nx[0] = 1.0\nx[2] = 1.0"
+    found = run(half)["x"]
+    assert value(found).tolist() == [1, 0]
+    assert "cell 1 stopped with IndexError" in found.note
+    assert run(half, "x = [1.0, 2.0]")["x"].note == ""
 
 
 @pytest.mark.parametrize("data", [b'{"cells": []}', b'{"cells": [{"cell_type": "markdown", "source": ""}]}'])

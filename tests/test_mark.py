@@ -223,3 +223,10 @@ def test_rates_follow_from_a_jacobian_in_the_tool_frame():
     own = {J.variable: J.mistakes[0].solve(v, {})}
     own |= {part.variable: part.solve(v, own) for part in (twist, qdot)}
     assert [verdict.points for verdict in mark(exercise, v, raws(own))] == [0, 2, 3]
+
+
+def test_a_wrong_value_from_a_cell_that_stopped_half_way_says_so():
+    half = Raw("num", np.zeros((6, 3)), note="cell 9 stopped with IndexError: index 3")
+    verdict = verdicts_of("rrt", {"rrt_J": half})["rrt_J"]
+    assert text_of(verdict).endswith("In your file: cell 9 stopped with IndexError: index 3.")
+    assert text_of(verdicts_of("rrt", {"rrt_J": Raw("missing", note="never mind")})["rrt_J"]) == ""
