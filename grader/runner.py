@@ -167,7 +167,7 @@ def snapshot(names, scope, failures, seconds):
     values = {}
     for name in names:
         value, error = limited(lambda name=name: encode(scope.get(name, ...)), seconds)
-        if error:
+        if error or value is None:
             value = {"k": "error", "v": f"could not be read ({type(error).__name__})"}
         if name in failures:
             lost = value["k"] in ("missing", "error")
