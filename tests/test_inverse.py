@@ -12,6 +12,7 @@ from kinegrade.solutions.jacobian import jacobian
 from kinegrade.solutions.kinematics import forward
 from kinegrade.solutions.robots import ROBOTS
 from kinegrade.solutions.rotation import vector_rotation
+from kinegrade.solutions.velocity import pseudoinverse
 
 PUMA = ROBOTS["puma560"]
 PLANAR = ROBOTS["planar_2r"].chain({"l1": 1.0, "l2": 0.7})
@@ -158,6 +159,19 @@ def test_the_other_joints_make_up_for_one_at_its_limit():
     found = inverse_kinematics(chain, at(1.2, 1.0), (0.3, 0.05, 0.4), rows=(0, 1), limits=limits)
     assert found.converged
     assert abs(found.q[1]) <= 0.1
+
+
+def test_they_make_up_for_it_in_the_same_step():
+    chain, start = from_standard([[0, 0, 1, 0]] * 3, "RRR"), np.array([0.3, 0.097, 0.9])
+    wish = pseudoinverse(jacobian(chain, start)[:2])[1]  # the way on which joint 2 would turn the most
+    target = at(*forward(chain, start)[:2, 3] + 0.01 * wish / np.linalg.norm(wish))
+    errors = [
+        inverse_kinematics(
+            chain, target, start, rows=(0, 1), limits=[(-3, 3), (-3, 0.1), (-3, 3)], iterations=k
+        ).position_error
+        for k in (0, 1)
+    ]
+    assert errors[1] < 0.05 * errors[0]
 
 
 def test_a_slide_reaches_as_far_as_its_limit():
