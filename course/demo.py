@@ -20,7 +20,6 @@ from .notebook import answer_code
 from .sheets import exercises_of, generate
 
 SECRET = "a demonstration keeps no secrets: its numbers are the same everywhere"  # noqa: S105
-Answers = Mapping[str, Any]
 Spoil = Callable[[Exercise, dict[str, Any], dict[str, Any]], dict[str, Any]]
 """From an exercise, its numbers and its right answers to what is handed in; text stands for code."""
 

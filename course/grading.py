@@ -37,7 +37,6 @@ class Result:
     sheet: str
     verdicts: tuple[Verdict, ...] = ()
     reason: str = ""
-    notes: tuple[str, ...] = ()
 
     @property
     def points(self) -> float | None:

@@ -44,15 +44,19 @@ PRESENTATIONS = (
 MILLIMETRES = "Lengths are 1000 times too large: metres are asked, not millimetres."
 
 
-def presentation(right_in: Callable[[Array], bool], reference: Array, answer: Numbers) -> Presentation | None:
-    """The first known presentation of `reference` that the answer agrees with; `right_in` compares with the answer."""
+def presentation(answer: Numbers, value: Array, reference: Array, allowed: Array) -> Presentation | None:
+    """The first known presentation of `reference` that a value agrees with."""
     lengths = np.char.startswith(answer.unit_of_entries(), "m")
     in_millimetres = Presentation(lambda J: np.where(lengths, 1000.0, 1.0) * J, MILLIMETRES, worthless=True)
     for known in (*PRESENTATIONS, in_millimetres):
         seen = known.of(reference)
-        if seen is not None and seen.shape == reference.shape and right_in(seen):
+        if seen is not None and _agree(value, seen, allowed):
             return known
     return None
+
+
+def _agree(value: Array, seen: Array, allowed: Array) -> bool:
+    return seen.shape == value.shape and bool((np.abs(value - seen) <= allowed).all())
 
 
 def findings(
@@ -63,13 +67,12 @@ def findings(
         return
     reference = np.asarray(part.solve(v, given), dtype=float)
     allowed = tolerance(exercise.slug, part, v, given, exercise.scale(v))
-    known = presentation(lambda seen: bool((np.abs(value - seen) <= allowed).all()), reference, part.answer)
+    known = presentation(part.answer, value, reference, allowed)
     if known:
         yield Finding(known.sentence)
         return
     for mistake in part.mistakes:
-        seen = np.asarray(mistake.solve(v, given), dtype=float)
-        if seen.shape == value.shape and (np.abs(value - seen) <= allowed).all():
+        if _agree(value, np.asarray(mistake.solve(v, given), dtype=float), allowed):
             yield Finding(mistake.sentence)
             return
     if _in_degrees(exercise, part, v, value, allowed):
@@ -92,7 +95,7 @@ def _in_degrees(exercise: Exercise, part: Part, v: Variant, value: Array, allowe
         seen = references(exercise, converted)[part.variable]
     except Exception:  # noqa: BLE001 - an exercise may refuse such angles in any way; then it is no explanation
         return False
-    return bool((np.abs(value - seen) <= allowed).all())
+    return _agree(value, seen, allowed)
 
 
 def _too_few_decimals(answer: Numbers, reference: Array, value: Array) -> bool:

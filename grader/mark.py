@@ -121,7 +121,7 @@ def _worthless(sheet: _Sheet, part: Part, given: Mapping[str, Any], wanted: Any,
     if right.all() or not isinstance(part.answer, Numbers):
         return False
     allowed = tolerance(sheet.exercise.slug, part, sheet.v, given, sheet.exercise.scale(sheet.v))
-    known = presentation(lambda seen: bool((np.abs(answer - seen) <= allowed).all()), wanted, part.answer)
+    known = presentation(part.answer, answer, wanted, allowed)
     return known is not None and known.worthless
 
 
