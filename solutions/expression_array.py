@@ -1,0 +1,119 @@
+"""Arrays of formulas: symbolic vectors and matrices, and when two of them are the same."""
+
+import math
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from importlib import import_module
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from .errors import KinegradeError
+from .expression import Expression, parse
+
+ANGLE = re.compile(r"(q|theta|alpha|beta|gamma|phi|psi)[0-9]*")
+POINTS = 8
+SAME = 1e-9
+
+
+class ExpressionArrayError(KinegradeError):
+    """Nested formulas that are no array."""
+
+
+@dataclass(frozen=True, eq=False)
+class ExpressionArray:
+    """Formulas of shape (), (n,) or (m, n); `entries` is an object array of `Expression`."""
+
+    entries: NDArray[np.object_]
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Shape of the array."""
+        return self.entries.shape
+
+    @property
+    def names(self) -> frozenset[str]:
+        """Names that occur in any entry."""
+        return frozenset[str]().union(*(entry.names for entry in self.entries.flat))
+
+    def at(self, values: Mapping[str, ArrayLike]) -> NDArray[np.float64]:
+        """Numbers (..., *shape) where each name has its value. Raises ExpressionError if one has none."""
+        numbers = np.broadcast_arrays(*(np.asarray(entry.at(values)) for entry in self.entries.flat))
+        stacked = np.stack(numbers, axis=-1) if numbers else np.zeros(0)
+        return stacked.reshape((*stacked.shape[:-1], *self.shape))
+
+    def sympy(self) -> Any:
+        """The sympy expression of shape (), else a Matrix; a vector is a column."""
+        if not self.shape:
+            return self.entries[()].sympy()
+        sympy: Any = import_module("sympy")
+        rows = self.entries.reshape(len(self.entries), -1)
+        return sympy.Matrix([[entry.sympy() for entry in row] for row in rows])
+
+    def text(self) -> Any:
+        """Nested lists of strings that parse back; a single string for shape ()."""
+        return np.vectorize(str, otypes=[object])(self.entries).tolist()
+
+
+def expression_array(nested: Any, names: Iterable[str]) -> ExpressionArray:
+    """Array of formulas from nested text, numbers, `Expression`s, or a sympy expression or Matrix, in `names`.
+
+    Raises:
+        ExpressionError: a text is not a formula in these names.
+        ExpressionArrayError: the nesting is no array.
+    """
+    if isinstance(nested, ExpressionArray):
+        return nested
+    if hasattr(nested, "tolist"):
+        nested = nested.tolist()
+    known = tuple(names)
+    shape = _shape(nested)
+    entries = np.empty(shape, dtype=object)
+    flat = [nested]
+    for _ in shape:
+        flat = [entry for row in flat for entry in row]
+    for place, entry in zip(np.ndindex(shape), flat, strict=True):
+        entries[place] = entry if isinstance(entry, Expression) else parse(str(entry), known)
+    return ExpressionArray(entries)
+
+
+def same_formulas(a: ExpressionArray, b: ExpressionArray, names: Sequence[str]) -> NDArray[np.bool_]:
+    """Which entries of two arrays of one shape agree at eight points, to 1e-9 of their size.
+
+    Points where the second is infinite or has no value are left out; where the first alone has none, they differ.
+    """
+    values = sample(names, POINTS)
+    ours, theirs = a.at(values), b.at(values)
+    ours, theirs = (np.broadcast_to(x, (POINTS, *b.shape)) for x in (ours, theirs))
+    defined = np.isfinite(theirs)
+    with np.errstate(invalid="ignore"):
+        close = np.abs(ours - theirs) <= SAME * np.maximum(1.0, np.abs(theirs))
+    return np.asarray((close | ~defined).all(axis=0) & defined.any(axis=0))
+
+
+def sample(names: Sequence[str], count: int) -> dict[str, NDArray[np.float64]]:
+    """Values (count,) for every name, angles in (-2.6, 2.6), all others in (0.4, 1.6).
+
+    The multiples of square roots of primes are spread like random numbers and are the same everywhere, always.
+    """
+    steps = np.arange(1, count + 1)
+    roots = (math.sqrt(p) for p in range(2, 10_000) if all(p % d for d in range(2, math.isqrt(p) + 1)))
+    values: dict[str, NDArray[np.float64]] = {}
+    for name, root in zip(sorted(names), roots, strict=False):
+        fraction = (steps * root) % 1.0
+        values[name] = 5.2 * fraction - 2.6 if ANGLE.fullmatch(name) else 0.4 + 1.2 * fraction
+    return values
+
+
+def _shape(nested: Any, depth: int = 2) -> tuple[int, ...]:
+    if not isinstance(nested, list | tuple):
+        return ()
+    rows: list[Any] = [*nested]  # pyright: ignore[reportUnknownArgumentType]
+    if not rows or depth == 0:
+        raise ExpressionArrayError(f"formulas take a vector or a matrix, got {str(rows)[:60]}")
+    shapes = {_shape(row, depth - 1) for row in rows}
+    if len(shapes) > 1:
+        raise ExpressionArrayError("formulas take rows of one length, got rows of different lengths")
+    return (len(rows), *shapes.pop())
