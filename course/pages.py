@@ -11,7 +11,7 @@ from typing import Any
 from jinja2 import BaseLoader, Environment, Template
 from markupsafe import Markup
 
-from ..exercises.exercise import Exercise, Numbers, Part
+from ..exercises.exercise import Exercise, Part
 from ..grader.verdict import STATUS_WORDS, Verdict
 from .config import Course, Sheet
 from .files import write_atomically
@@ -64,11 +64,13 @@ def _matrices(part: Part, verdict: Verdict) -> list[list[list[dict[str, Any]]]]:
         return []
     answer, right = verdict.answer, verdict.right
     depth = _depth(right)
-    if depth == 1:
-        answer, right = [[x] for x in answer], [[x] for x in right]
-    if depth < 3:
+    if depth == 0:
         answer, right = [answer], [right]
-    decimals = part.answer.decimals if isinstance(part.answer, Numbers) else 0
+    if depth <= 1:
+        answer, right = [[x] for x in answer], [[x] for x in right]
+    if depth <= 2:
+        answer, right = [answer], [right]
+    decimals = getattr(part.answer, "decimals", 0)
     return [
         [
             [

@@ -10,7 +10,7 @@ from typing import Annotated, Any, Literal, Self
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
 
-Kind = Literal["num", "text", "missing", "error"]
+Kind = Literal["num", "text", "calls", "results", "missing", "error"]
 MAX_ELEMENTS = 4096
 Text = Annotated[str, Field(max_length=400)]
 
