@@ -72,8 +72,8 @@ def _rows(rows: Sequence[Any]) -> str:
 
 
 def _texts(_: Part, answer: Any) -> str:
-    text = answer.text()
-    return _rows(text) if isinstance(text, list) else repr(text)
+    text: Any = answer.text()
+    return _rows(text) if isinstance(text, list) else repr(text)  # pyright: ignore[reportUnknownArgumentType]
 
 
 _CODES: dict[type, Callable[[Part, Any], str]] = {

@@ -27,7 +27,7 @@ def handed_in(answer: Answer, value: Any, v: Variant) -> Raw:
 
 def rounded(answer: Answer, value: Any) -> Any:
     """The value to the decimals that are asked; what is not numbers stays as it is."""
-    return np.round(value, answer.decimals) if isinstance(answer, Numbers | Configurations) else value
+    return np.round(np.asarray(value), answer.decimals) if isinstance(answer, Numbers | Configurations) else value
 
 
 def _numbers(_: Answer, value: Any, __: Variant) -> Raw:

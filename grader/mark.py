@@ -9,7 +9,6 @@ import numpy as np
 
 from ..exercises.answers import Manual, Numbers
 from ..exercises.exercise import Exercise, Part, Variant
-from ..solutions.expression import Expression
 from ..solutions.expression_array import ExpressionArray
 from ..solutions.table import Table
 from .answer_key import AnswerKey, Wanted
@@ -176,6 +175,5 @@ def _shown(answer: Any) -> Any:
     if isinstance(answer, Results):
         return None  # what is right of it is said group by group
     if isinstance(answer, tuple):
-        conditions = cast("tuple[Expression, ...]", answer)
-        return [f"{expression} = 0" for expression in conditions]
+        return [f"{expression} = 0" for expression in cast("tuple[Any, ...]", answer)]
     return answer if isinstance(answer, str) else np.asarray(answer).tolist()

@@ -49,7 +49,7 @@ def reshaped(array: NDArray[Any], asked: tuple[int, ...]) -> Array:
     single = not asked and array.size == 1
     if shape != asked and not (stacked or vector or single):
         number = "one number" if not asked else f"shape {asked}"
-        raise Unreadable(f"takes {number}, got shape {shape}{_shape_hint(shape, asked)}")
+        raise Unreadable(f"takes {number}, got {shape}{_shape_hint(shape, asked)}")
     return array.reshape(asked)
 
 
@@ -76,7 +76,7 @@ def _typed_array(raw: Raw, shape: tuple[int, ...], units: NDArray[np.str_]) -> A
     if raw.kind != "text":
         raise Unreadable(f"takes numbers of shape {shape}, got {clip(raw.kind)}")
     if isinstance(text, str) and shape:
-        return _typed_block(text)
+        return _typed_block(text, f"numbers of shape {shape}")
     entries, found = flat_texts(text)
     reshaped(np.zeros(found), shape)  # refuses another shape
     values = [
@@ -90,19 +90,19 @@ def _typed_rows(raw: Raw, answer: Configurations) -> Array:
     if raw.kind != "text":
         raise Unreadable(f"takes numbers, got {clip(raw.kind)}")
     if isinstance(raw.value, str):
-        return _typed_block(raw.value)
+        return _typed_block(raw.value, "numbers")
     entries, shape = flat_texts(raw.value)
     units = np.resize(np.array(answer.units), len(entries))
     values = [_quantity(entry, str(unit), f"entry {i}") for i, (entry, unit) in enumerate(zip(entries, units), 1)]  # noqa: B905 - resized to fit
     return np.array(values, dtype=float).reshape(shape)
 
 
-def _typed_block(text: str) -> Array:
+def _typed_block(text: str, what: str) -> Array:
     """A whole matrix in one string."""
     try:
         rows = typed_matrix(text, ())
     except ExpressionError as error:
-        raise misread(error) from error
+        raise Unreadable(f"takes {what}, got text: {clip(text)}\n{error.caret}") from error
     return np.array([[entry.at({}) for entry in row] for row in rows], dtype=float)
 
 
