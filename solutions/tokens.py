@@ -2,7 +2,7 @@
 
 import math
 import re
-from collections.abc import Generator
+from collections.abc import Collection, Generator, Sequence
 from contextlib import contextmanager
 from typing import NamedTuple
 
@@ -17,6 +17,7 @@ SUBSCRIPTS, SUPERSCRIPTS = "₀₁₂₃₄₅₆₇₈₉", "⁰¹²³⁴⁵⁶
 DIGITS = dict(zip(SUBSCRIPTS + SUPERSCRIPTS, "0123456789" * 2, strict=True))
 TRANSLATED = str.maketrans({**GREEK, **DIGITS, "{": None, "}": None})
 FORMULA = frozenset("-+*/^(),")
+PAIRS = {"(": ")", "[": "]"}
 LETTER = f"A-Za-z_{''.join(GREEK)}"
 WORD = rf"[{LETTER}][{LETTER}0-9{SUBSCRIPTS}]*(?:(?<=_)\{{[0-9]+\}})?"  # s_{12}, too
 TOKEN = re.compile(
@@ -98,6 +99,35 @@ def _power(text: str, match: re.Match[str]) -> list[Token]:
         raise ExpressionError("two powers in a row take brackets, as in (x²)^3", place)
     sign, digits = "-" * match[0].startswith("⁻"), match[0].removeprefix("⁻").translate(TRANSLATED)
     return [Token("sign", part, place) for part in ("^", sign) if part] + [Token("number", digits, place)]
+
+
+def paired(tokens: Sequence[Token]) -> None:
+    """Raises ExpressionError where a bracket is not closed by its like or was never opened."""
+    awaited = list[str]()
+    for token in tokens:
+        if token.text in PAIRS:
+            awaited.append(PAIRS[token.text])
+        elif token.kind == "end" and awaited:
+            raise ExpressionError("a closing bracket is missing", token.offset)
+        elif token.text in PAIRS.values():
+            if not awaited:
+                raise ExpressionError("this bracket was never opened", token.offset)
+            if token.text != awaited[-1]:
+                raise ExpressionError(f"'{awaited[-1]}' is expected, got '{token.text}'", token.offset)
+            awaited.pop()
+
+
+def split(tokens: Sequence[Token], separators: Collection[str]) -> list[list[Token]]:
+    """Tokens between the separators that stand in no brackets; each part ends with a token of kind "end"."""
+    parts, depth = [list[Token]()], 0
+    for token in tokens:
+        depth += (token.text in PAIRS) - (token.text in PAIRS.values())
+        if token.kind == "end" or (not depth and token.kind == "sign" and token.text in separators):
+            parts[-1].append(Token("end", "", token.offset))
+            parts.append([])
+        else:
+            parts[-1].append(token)
+    return parts[:-1]
 
 
 def number(text: str, offset: int) -> float:

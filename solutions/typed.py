@@ -185,7 +185,8 @@ def _power(function: Token, rest: list[Token]) -> list[Token]:
     sign, exponent, opening = rest.pop(), rest.pop(), rest[-1:]
     if exponent.text == "-":
         name = function.text
-        raise ExpressionError(f"{name}^-1 may be the inverse function a{name}(x) or 1/{name}(x)", sign.offset)
+        inverse = f"a{name}(x) or " * (f"a{name}" in CALLED)
+        raise ExpressionError(f"{name} to a negative power is written {inverse}1/{name}(x)", sign.offset)
     if not exponent.text.isdigit() or opening[0].text != "(":
         raise ExpressionError(f"a power stands behind the argument, as in {function.text}(x)^2", sign.offset)
     return [sign, exponent]
