@@ -1,7 +1,52 @@
-"""Stand-in until the language lands."""
+"""Quantities with units: 350 mm, 20 deg/s, sqrt(2)/2 m."""
 
-from .expression import parse
+import math
+from collections.abc import Mapping
+from types import MappingProxyType
+from typing import NamedTuple
+
+from .tokens import ExpressionError, Token, refusing, tokens_of
+from .typed import TYPED, WORDS, typed_tokens
+
+
+class Unit(NamedTuple):
+    factor: float  # to SI
+    si: str
+
+
+_DEGREE = math.pi / 180
+UNITS: Mapping[str, Unit] = MappingProxyType({
+    "1": Unit(1.0, ""),
+    "m": Unit(1.0, "m"), "km": Unit(1e3, "m"), "cm": Unit(1e-2, "m"), "mm": Unit(1e-3, "m"),
+    "s": Unit(1.0, "s"), "ms": Unit(1e-3, "s"),
+    "rad": Unit(1.0, "rad"), "deg": Unit(_DEGREE, "rad"), "°": Unit(_DEGREE, "rad"),
+    "m/s": Unit(1.0, "m/s"), "cm/s": Unit(1e-2, "m/s"), "mm/s": Unit(1e-3, "m/s"),
+    "rad/s": Unit(1.0, "rad/s"), "deg/s": Unit(_DEGREE, "rad/s"), "°/s": Unit(_DEGREE, "rad/s"),
+    "rpm": Unit(math.tau / 60, "rad/s"),
+    "m/rad": Unit(1.0, "m/rad"), "cm/rad": Unit(1e-2, "m/rad"), "mm/rad": Unit(1e-3, "m/rad"),
+})  # fmt: skip
 
 
 def typed_quantity(text: str) -> tuple[float, str]:
-    return float(parse(text, ()).at({})), ""
+    """Value and unit of a typed quantity in SI: "350mm" is (0.35, "m"), "0.3" is (0.3, "").
+
+    The number is a formula without names. Raises ExpressionError, with the place in the text, where it is none or the
+    unit is unknown.
+    """
+    with refusing(text, "a quantity"):
+        tokens = tokens_of(text, TYPED | {"°"})
+        many = next((many for many in (3, 1) if _is_unit(tokens[-1 - many : -1])), 0)
+        formula, unit = tokens[: -1 - many], tokens[-1 - many : -1]
+        if not unit and len(formula) > 1 and _is_word(formula[-1]) and formula[-2].text not in "+-*/^(":
+            raise ExpressionError(f"unknown unit '{formula[-1].typed}'; known: {', '.join(UNITS)}", formula[-1].offset)
+        factor, si = UNITS["".join(token.text for token in unit) or "1"]
+        end = Token("end", "", (unit or tokens[-1:])[0].offset)
+        return float(typed_tokens([*formula, end], ()).at({})) * factor, si
+
+
+def _is_unit(tokens: list[Token]) -> bool:
+    return "".join(token.text for token in tokens) in UNITS and tokens[0].kind != "number"
+
+
+def _is_word(token: Token) -> bool:
+    return token.kind == "name" and token.text not in WORDS
