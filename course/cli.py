@@ -155,6 +155,30 @@ def report(course: CourseOption = Path()) -> None:
 
 
 @app.command()
+def validate(
+    exercises: Annotated[
+        list[str] | None, typer.Argument(help="Names or files of exercises; all known ones when none is given.")
+    ] = None,
+    course: CourseOption = Path(),
+    seeds: Annotated[int, typer.Option("--seeds", min=1, help="How many draws of each are looked at.")] = 100,
+    as_json: Annotated[bool, typer.Option("--json", help="Print JSON instead of a table.")] = False,
+) -> None:
+    """Prove that exercises can be solved, marked and told apart from nonsense and known mistakes."""
+    from .validate import chosen, steps
+    from .validate import validate as look
+    from .validation_table import show_validations, validations_json
+
+    paths = chosen(tuple(exercises or ()), course / "exercises")
+    with progress("Validating", steps(len(paths), seeds)) as step:
+        validations = look(paths, seeds, step)
+    if as_json:
+        print(validations_json(validations))
+    else:
+        show_validations(validations)
+    raise typer.Exit(1 if any(validation.failures for validation in validations) else 0)
+
+
+@app.command()
 def plot(
     robot: Annotated[str, typer.Argument(help="A robot of the catalogue, such as puma560.")],
     output: Annotated[Path | None, typer.Option("--output", "-o", help="A .png, .svg or .pdf file.")] = None,

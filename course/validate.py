@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from ..exercises.answers import Manual, Numbers
-from ..exercises.catalogue import load
+from ..exercises.catalogue import exercise_files, find, load
 from ..exercises.exercise import Exercise, Part, solve
 from ..exercises.values import declared
 from ..grader.answer_key import AnswerKey
@@ -51,6 +51,31 @@ class Validation:
     draws: int
     seconds_to_draw: float
     failures: tuple[Failure, ...]
+
+
+def chosen(names: Sequence[str], folder: Path) -> list[Path]:
+    """Files of the named exercises, or of all that come with the package and lie in a course's folder.
+
+    Raises:
+        ExerciseError: a name is neither an exercise nor a file.
+    """
+    files = exercise_files(folder)
+    for name in names:
+        path = Path(name)
+        if path.suffix != ".py" or not path.exists():
+            find(name, files)  # says what is known
+    return [Path(name) if name.endswith(".py") else files[name] for name in names] or [*files.values()]
+
+
+def summary(validation: Validation) -> Iterator[str]:
+    """One line for every part and kind of failure: how often, and the first of it."""
+    groups: dict[tuple[str, str], list[Failure]] = {}
+    for failure in validation.failures:
+        groups.setdefault((failure.kind, failure.part), []).append(failure)
+    for (kind, part), failures in groups.items():
+        draws = {failure.seed for failure in failures}
+        often = f"in {len(draws)} of {validation.draws} draws, first {min(draws)}"
+        yield f"{kind}{f', {part}' if part else ''}, {often}: {failures[0].sentence}"
 
 
 KINDS = ("solve", "full marks", "nonsense", "mistakes", "printable", "render", "variants")

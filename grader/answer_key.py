@@ -68,7 +68,8 @@ class AnswerKey:
             earning = np.array([bool(entry.names) for entry in reference.entries]).reshape(reference.shape)
         elif isinstance(part.answer, Numbers | TableOf):
             numbers = np.asarray(pictured(part.answer, reference, self.v))
-            trivial = np.isclose(numbers[..., None], TRIVIAL, rtol=0, atol=1e-6).any(-1)
+            close = self.wanted(part).allowed if isinstance(part.answer, Numbers) else np.full(numbers.shape, 1e-6)
+            trivial = (np.abs(numbers[..., None] - TRIVIAL) <= np.maximum(close, 1e-6)[..., None]).any(-1)
             earning = varying(self.exercise)[part.variable] & ~trivial
         else:
             return np.ones((), dtype=bool)
