@@ -50,7 +50,9 @@ def _spelled(token: Token, names: frozenset[str]) -> list[Token]:
     for cut in range(1, len(token.typed) if len(token.typed) <= FACTORS else 0):
         if not readings and _is_product(token.typed[:cut], token.typed[cut:], names):
             raise ExpressionError(f"a sign such as * is missing before '{token.typed[cut:]}'", token.offset + cut)
-    return [long._replace(offset=token.offset) for text in readings for long in tokens_of(text)[:-1]] or [token]
+    return [token._replace(kind=long.kind, text=long.text) for text in readings for long in tokens_of(text)[:-1]] or [
+        token
+    ]
 
 
 def _readings(name: str, names: frozenset[str]) -> set[str]:
