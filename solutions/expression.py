@@ -265,7 +265,7 @@ def _leftover(token: Token, before: str) -> str:
     if token.text == ")":
         return "this bracket was never opened"
     if token.kind in ("number", "name") or token.text == "(":
-        return f"a sign such as * is missing before '{token.text[:40]}'"
+        return f"a sign such as * is missing before '{(token.typed or token.text)[:40]}'"
     return f"'{token.text}' has no place here"
 
 

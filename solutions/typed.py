@@ -12,7 +12,7 @@ ALIASES = {
     "cosec": "csc", "ctg": "cot",
 }  # fmt: skip
 RECIPROCALS = {"sec": "cos", "csc": "sin", "cot": "tan"}
-FACTORS = 20  # letters of a name that may be a product without signs
+FACTORS = 20  # as long is a name that may be a product without signs
 WORDS = frozenset({*CALLED, *RECIPROCALS, "pi"})
 SHORT = {
     "s": "sin", "S": "sin", "sin": "sin", "sth": "sin", "stheta": "sin",
@@ -47,10 +47,18 @@ def _spelled(token: Token, names: frozenset[str]) -> list[Token]:
         return [token]
     if len(readings) > 1:
         raise ExpressionError(f"'{token.text[:40]}' may be {' or '.join(sorted(readings)[:3])}", token.offset)
-    for cut in range(1, len(token.typed) if len(token.typed) <= FACTORS else 0):
-        if not readings and _is_product(token.typed[:cut], token.typed[cut:], names):
-            raise ExpressionError(f"a sign such as * is missing before '{token.typed[cut:]}'", token.offset + cut)
-    return [long._replace(offset=token.offset) for text in readings for long in tokens_of(text)[:-1]] or [token]
+    if not readings:
+        _refuse_product(token, names)
+        return [token]
+    return [token._replace(kind=long.kind, text=long.text) for long in tokens_of(readings.pop())[:-1]]
+
+
+def _refuse_product(token: Token, names: frozenset[str]) -> None:
+    """Raises ExpressionError at the second factor of s1c23."""
+    name = token.typed
+    for cut in range(1, len(name) if len(name) <= FACTORS else 0):
+        if _is_product(name[:cut], name[cut:], names):
+            raise ExpressionError(f"a sign such as * is missing before '{name[cut:]}'", token.offset + cut)
 
 
 def _readings(name: str, names: frozenset[str]) -> set[str]:
@@ -60,7 +68,7 @@ def _readings(name: str, names: frozenset[str]) -> set[str]:
 
 
 def _is_product(left: str, right: str, names: frozenset[str]) -> bool:
-    """Whether s1 and c23 are names: what was typed is s1c23."""
+    """Whether both, or the left one and all factors of the right one, are names or shorthands."""
     known = [bool(_readings(part.translate(TRANSLATED), names)) for part in (left, right)]
     cuts = range(1, len(right)) if known[0] and not known[1] else ()
     return all(known) or any(_is_product(right[:cut], right[cut:], names) for cut in cuts)
@@ -68,20 +76,23 @@ def _is_product(left: str, right: str, names: frozenset[str]) -> bool:
 
 def _respelled(name: str, names: frozenset[str]) -> set[str]:
     """l_1 is l1, d3 is d_3."""
-    return {known for known in names if known.replace("_", "") == name.replace("_", "")}
+    return {known for known in names if _indexed(known) == _indexed(name)}
 
 
 def _other_case(name: str, names: frozenset[str]) -> set[str]:
     """L1 is l1."""
-    bare = name.replace("_", "").lower()
-    return {known for known in names if known.replace("_", "").lower() == bare}
+    return {known for known in names if _indexed(known.lower()) == _indexed(name.lower())}
 
 
 def _prefixed(name: str, names: frozenset[str]) -> set[str]:
-    """rrt_d1 is d1; a single letter or a word of our own is no prefix."""
-    cuts = [i for i, letter in enumerate(name) if letter == "_" and i > 1]
-    rests = [name[i + 1 :] for i in cuts if name[:i] not in NO_PREFIX and name[:i] not in names]
-    return {long for rest in rests for long in ({rest} & names or _respelled(rest, names))}
+    """rrt_d1 is d1; a single letter or what has a meaning of its own is no prefix."""
+    cuts = [i for i, letter in enumerate(name) if letter == "_" and i > 1 and name[:i] not in NO_PREFIX]
+    found = {i: {name[i + 1 :]} & names or _respelled(name[i + 1 :], names) for i in cuts}
+    return {long for i in cuts if found[i] and not _has_meaning(name[:i], names) for long in found[i]}
+
+
+def _has_meaning(name: str, names: frozenset[str]) -> bool:
+    return name in names or any(reading(name, names) for reading in (_respelled, *SHORTHANDS))
 
 
 def _function(name: str, names: frozenset[str]) -> set[str]:
@@ -113,9 +124,8 @@ def _tangent(name: str, names: frozenset[str]) -> set[str]:
     return {joint, f"tan({joint})"} if stem == "t" and joint in names else set()
 
 
-READINGS: tuple[Callable[[str, frozenset[str]], set[str]], ...] = (
-    _other_case, _prefixed, _function, _joint, _sine, _tangent,
-)  # fmt: skip
+SHORTHANDS: tuple[Callable[[str, frozenset[str]], set[str]], ...] = (_other_case, _function, _joint, _sine, _tangent)
+READINGS = (*SHORTHANDS, _prefixed)
 
 
 def _indexed(name: str) -> tuple[str, str]:

@@ -139,8 +139,9 @@ def _check_rows(rows: list[Entries]) -> None:
             raise ExpressionError(
                 f"rows take {len(rows[0])} entries as the first one has, got {len(row)}", row[0][0].offset
             )
-    if (many := len(rows) * len(rows[0])) > ENTRIES:
-        raise ExpressionError(f"a matrix takes up to {ENTRIES} entries, got {many}")
+    entries = [entry for row in rows for entry in row]
+    if len(entries) > ENTRIES:
+        raise ExpressionError(f"a matrix takes up to {ENTRIES} entries, got {len(entries)}", entries[ENTRIES][0].offset)
 
 
 def _check_spaces(entry: Sequence[Token], text: str, python: bool) -> None:
@@ -173,8 +174,11 @@ def _entry(tokens: Sequence[Token], names: Collection[str], what: str = "an entr
 
 
 def _or(token: Token, names: Collection[str]) -> Token:
-    is_or = token.kind == "name" and token.text.lower() == "or" and token.text not in names
-    return Token("sign", ";", token.offset) if is_or else token
+    """The token, or a semicolon for the word "or"."""
+    word = token.text.lower() if token.kind == "name" and token.text not in names else ""
+    if word == "and":
+        raise ExpressionError("conditions are listed with or or with semicolons, got and", token.offset)
+    return Token("sign", ";", token.offset) if word == "or" else token
 
 
 def _check_decimals(tokens: Sequence[Token]) -> None:
@@ -236,9 +240,9 @@ def _plus_minus(tokens: Sequence[Token]) -> list[Token]:
 
 
 def _integer(token: Token, value: int) -> list[Token]:
-    signs = ("(", "-", ")") if value < 0 else ("(", "+", ")")
-    opening, sign, closing = (Token("sign", text, token.offset) for text in signs)
-    return [opening, sign, Token("number", str(abs(value)), token.offset), closing]
+    sign, digits = "-" if value < 0 else "+", str(abs(value))
+    signs = [token._replace(kind="sign", text=text) for text in ("(", sign, ")")]
+    return [*signs[:2], token._replace(kind="number", text=digits), signs[2]]
 
 
 def _difference(equation: Sequence[Token], names: Collection[str]) -> Expression:

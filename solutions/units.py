@@ -2,6 +2,8 @@
 
 import math
 from collections.abc import Mapping
+from fractions import Fraction
+from itertools import pairwise
 from types import MappingProxyType
 from typing import NamedTuple
 
@@ -37,16 +39,13 @@ def typed_quantity(text: str) -> tuple[float, str]:
         tokens = tokens_of(text, TYPED | {"°"})
         many = next((many for many in (3, 1) if _is_unit(tokens[-1 - many : -1])), 0)
         formula, unit = tokens[: -1 - many], tokens[-1 - many : -1]
-        if not unit and len(formula) > 1 and _is_word(formula[-1]) and formula[-2].text not in "+-*/^(":
-            raise ExpressionError(f"unknown unit '{formula[-1].typed}'; known: {', '.join(UNITS)}", formula[-1].offset)
+        for before, word in pairwise(formula):
+            if (before.kind == "number" or before.text == ")") and word.kind == "name" and word.text not in WORDS:
+                raise ExpressionError(f"unknown unit '{text[word.offset :]}'; known: {', '.join(UNITS)}", word.offset)
         factor, si = UNITS["".join(token.text for token in unit) or "1"]
-        end = Token("end", "", (unit or tokens[-1:])[0].offset)
-        return float(typed_tokens([*formula, end], ()).at({})) * factor, si
+        value = typed_tokens([*formula, Token("end", "", (unit or tokens[-1:])[0].offset)], ()).at({})
+        return float(Fraction(float(value)) * Fraction(repr(factor))), si  # 350 mm are 0.35 m, not 0.35000000000000003
 
 
 def _is_unit(tokens: list[Token]) -> bool:
     return "".join(token.text for token in tokens) in UNITS and tokens[0].kind != "number"
-
-
-def _is_word(token: Token) -> bool:
-    return token.kind == "name" and token.text not in WORDS
