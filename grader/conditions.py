@@ -1,5 +1,6 @@
 """Conditions such as sin(q2) = 0: do they hold where they should, and nowhere else?"""
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -10,7 +11,7 @@ from numpy.typing import NDArray
 from ..exercises.answers import Variant
 from ..solutions.expression import Expression
 
-LINES, STEPS = 6, 720  # grid lines along each joint, and steps along a line
+LINES, STEPS = 6, 720  # grid lines along each joint, and steps along a line, a turn at most
 HALVINGS = 60
 TURN = 2 * np.pi
 EDGE = 0.01  # rad beyond a full turn, so that solutions at its ends are inside
@@ -35,8 +36,10 @@ def judge_conditions(reference: Sequence[Expression], own: Sequence[Expression],
     covered when the student's conditions together are met wherever it is. Each false one costs one covered.
     """
     met = [_roots(expression, domain, v) for expression in own]
+    met = [points if _size(points) else _roots(own[i], _more_turns(domain), v) for i, points in enumerate(met)]
     holds = tuple(bool(_size(points)) and bool(_any_zero(reference, points, domain, v).all()) for points in met)
-    covered = [_any_zero(own, _roots(expression, domain, v), domain, v) for expression in reference]
+    true = [expression for expression, ok in zip(own, holds, strict=True) if ok]
+    covered = [_any_zero(true, _roots(expression, domain, v), domain, v) for expression in reference]
     full = sum(bool(hit.all()) for hit in covered)
     partial = [hit for hit in covered if hit.any() and not hit.all()]
     false = len(holds) - sum(holds)
@@ -61,9 +64,9 @@ def _roots(expression: Expression, domain: Domain, v: Variant) -> Points:
         start = _spread(domain, LINES)
         low, high = domain[joint]
         low, high = (low - EDGE, high + EDGE) if _is_turn(domain[joint]) else (low, high)
-        line = np.linspace(low, high, STEPS + 1)
+        line = np.linspace(low, high, STEPS * math.ceil((high - low) / (TURN + 3 * EDGE)) + 1)
         values: dict[str, Any] = {**v, **{name: x[:, None] for name, x in start.items()}, joint: line[None]}
-        along = np.broadcast_to(expression.at(values), (LINES, STEPS + 1))
+        along = np.broadcast_to(expression.at(values), (LINES, len(line)))
         for number, place in _zeros_on_lines(expression, values, along, joint, line):
             found.append({name: np.array([x[number]]) for name, x in start.items()} | {joint: np.array([place])})
     if not found:
@@ -147,6 +150,12 @@ def _turned(points: Points, domain: Domain) -> Iterator[Points]:
     for name in (name for name in domain if _is_turn(domain[name])):
         for turn in (-TURN, TURN):
             yield points | {name: points[name] + turn}
+
+
+def _more_turns(domain: Domain) -> Domain:
+    """Four turns more on both sides: q2 = 3*pi is met there."""
+    more = {name: (low - 4 * TURN, high + 4 * TURN) for name, (low, high) in domain.items() if _is_turn((low, high))}
+    return {**domain, **more}
 
 
 def _is_turn(limits: tuple[float, float]) -> bool:

@@ -92,16 +92,13 @@ def findings(key: AnswerKey, part: Part, wanted: Wanted, value: Any, right: Any)
         if _meets(key, part, wanted, value, mistake):
             yield Finding(mistake.sentence)
             return
-    yield from _FINDINGS.get(type(part.answer), _nothing_more)(key, part, wanted, value, np.asarray(right, dtype=bool))
+    if type(part.answer) in _FINDINGS:
+        yield from _FINDINGS[type(part.answer)](key, part, wanted, value, np.asarray(right, dtype=bool))
 
 
 def _meets(key: AnswerKey, part: Part, wanted: Wanted, value: Any, mistake: Mistake) -> bool:
     led_to = declared(part.answer, mistake.solve(key.v, wanted.given), key.v)
     return compare(key, part, replace(wanted, value=led_to), value).all_right
-
-
-def _nothing_more(*_: Any) -> Iterator[Finding]:
-    yield from ()
 
 
 def _of_numbers(key: AnswerKey, part: Part, wanted: Wanted, value: Array, right: Mask) -> Iterator[Finding]:

@@ -31,7 +31,8 @@ def read_configurations(answer: Configurations, raw: Raw, _: Variant) -> Array:
     array: NDArray[Any] = raw.value if raw.kind == "num" else _typed_rows(raw, answer)
     if np.iscomplexobj(array):
         raise Unreadable("takes real numbers, got complex ones")
-    if array.ndim > 2 or (n > 1 and array.shape[-1:] != (n,)) or array.size == 0:
+    flat = n == 1 and (array.ndim < 2 or 1 in array.shape)
+    if array.ndim > 2 or not (flat or array.shape[-1:] == (n,)) or array.size == 0:
         one = "a list of numbers" if n == 1 else f"rows of {n} numbers each"
         raise Unreadable(f"takes {one}, got shape {array.shape}")
     array = array.reshape(-1, n)
