@@ -55,7 +55,10 @@ def points_text(result: Result) -> str:
     """Points of a result, or what stands in their place."""
     if result.points is not None:
         return f"{result.points:g} / {result.out_of:g}"
-    return "not graded" if result.verdicts else "—"
+    if not result.verdicts:
+        return "—"
+    known = [verdict.points for verdict in result.verdicts if verdict.points is not None]
+    return f"{round(sum(known), 2):g} + ? / {result.out_of:g}" if known else "not graded"
 
 
 def remark(result: Result, *, public: bool = False) -> str:

@@ -1,4 +1,4 @@
-"""Conditions are judged by where they hold: every branch hit, nothing that is not asked, whatever way they are written."""
+"""Conditions are judged by where they hold, however they are written: every branch hit, nothing that is not asked."""
 
 import numpy as np
 import pytest
