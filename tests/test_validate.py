@@ -10,7 +10,7 @@ from kinegrade.course.validate import KINDS, summary, validate, validate_file
 
 CHANGES = {
     "solve": ("x, y = given", "x, y, z = given"),
-    "full marks": (
+    "full marks": ("def tip(v, _):", "def tip(v, _, n=[0]):\n    n[0] += 1\n    v = {**v, 'L': v['L'] + n[0]}"),
         "def tip(v, _):",
         "def tip(v, _, count=[0]):\n    count[0] += 1\n    v = {**v, 'L': v['L'] + count[0]}",
     ),
