@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from .collect import Ask
+from .ask import Ask
 from .wire import Raw
 
 MAX_BYTES = 2 << 20
