@@ -4,7 +4,9 @@ from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from ..grader.collect import Ask, Limits, collect
+from ..grader.ask import Ask, Limits
+from ..grader.collect import cannot_run, collect
+from ..grader.mat_file import cannot_read, from_mat
 from ..grader.named_matrices import from_csv, from_json
 from ..grader.wire import Raw
 from .config import CourseError
@@ -16,7 +18,10 @@ READERS: dict[str, Reader] = {
     ".ipynb": collect,
     ".json": lambda data, asks, _: from_json(data, asks),
     ".csv": lambda data, asks, _: from_csv(data, asks),
+    ".mat": lambda data, asks, _: from_mat(data, asks),
 }
+HINDRANCES: dict[str, Callable[[], str]] = {".ipynb": cannot_run, ".mat": cannot_read}
+"""Why files of an ending cannot be marked on this machine: no fault of the student's, so never a zero."""
 
 
 @dataclass(frozen=True)
@@ -32,7 +37,7 @@ class Submission:
 
 
 def find_submission(folder: Path, student: str, sheet: str) -> Submission | None:
-    """The student's file for a sheet, a notebook before .json before .csv; None when there is none.
+    """The student's file for a sheet, a notebook before .json before .csv before .mat; None when there is none.
 
     Raises:
         CourseError: the file is there and cannot be read.
@@ -67,10 +72,13 @@ def read_submission(path: Path) -> Submission:
     """The bytes of one file.
 
     Raises:
-        CourseError: it cannot be read, is too large, or has an ending that cannot be marked.
+        CourseError: it cannot be read, is too large, or has an ending that cannot be marked, at all or on this machine.
     """
     if path.suffix not in READERS:
         raise CourseError(f"{path}: a submission takes one of the endings {', '.join(READERS)}, got {path.suffix!r}")
+    hindrance = HINDRANCES.get(path.suffix, str)()
+    if hindrance:
+        raise CourseError(f"{path}: {hindrance}")
     try:
         if path.exists() and not path.is_file():  # a pipe would be waited for
             raise CourseError(f"{path} cannot be read: it is not a file")

@@ -6,7 +6,6 @@ processor time, memory, file size, output and the wall clock, and an alarm for e
 
 import json
 import os
-import resource
 import select
 import shutil
 import signal
@@ -16,49 +15,53 @@ import tempfile
 import time
 from collections.abc import Generator, Sequence
 from contextlib import contextmanager, suppress
-from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
+from .ask import Ask, Limits
 from .wire import Raw, read_frame
+
+try:
+    import resource
+except ImportError:  # Windows; there, files of matrices are marked all the same
+    resource = None
 
 RUNNER = Path(__file__).with_name("runner.py")
 MAX_FRAME = 2 << 20
 MAX_NOTEBOOK = 20 << 20
 
 
-@dataclass(frozen=True)
-class Ask:
-    """One variable to bring back."""
-
-    name: str
-
-
-@dataclass(frozen=True)
-class Limits:
-    """What one notebook may use: processor seconds for a cell, seconds on the clock for all, memory, written files.
-
-    A cell that does nothing but wait may wait three times as long as it may compute.
-    """
-
-    cell_seconds: float = 5.0
-    notebook_seconds: float = 60.0
-    memory_mb: int = 2048
-    file_mb: int = 16
-
-
 def collect(notebook: bytes, asks: Sequence[Ask], limits: Limits | None = None) -> dict[str, Raw]:
-    """The asked variables after all cells ran, by name; a cell that fails or loops costs only its own variables."""
+    """The asked variables after all cells ran, by name; a cell that fails or loops costs only its own variables.
+
+    A function that is asked with calls is called inside, after the cell that sets it and again after the last cell, and
+    comes back as `Raw("calls", [Raw, ...])`. A call that fails, loops or returns nonsense costs only itself.
+    """
     limits = limits or Limits()
+    reason = cannot_run()
     if len(notebook) > MAX_NOTEBOOK:
         reason = f"the file has {len(notebook) >> 20} MB; a notebook may have {MAX_NOTEBOOK >> 20} MB"
+    if reason:
         return {ask.name: Raw("error", reason) for ask in asks}
     request = {
         "notebook": notebook.decode("utf-8-sig", errors="replace"),
         "asks": [ask.name for ask in asks],
+        "calls": {ask.name: ask.calls for ask in asks if ask.calls},
         "cell_seconds": limits.cell_seconds,
     }
-    frame, why = _run(json.dumps(request).encode(), limits)
-    return read_frame(frame, [ask.name for ask in asks], why)
+    frame, why = _run(json.dumps(request, default=_plain).encode(), limits)
+    return read_frame(frame, [ask.name for ask in asks], why, {ask.name: len(ask.calls) for ask in asks})
+
+
+def cannot_run() -> str:
+    """Why no notebook can run on this machine; empty where it can."""
+    if hasattr(resource, "prlimit"):
+        return ""
+    return "notebooks are marked on Linux (on Windows: WSL2, on macOS: a Linux machine); .json, .csv and .mat anywhere"
+
+
+def _plain(array: Any) -> Any:
+    return array.tolist()
 
 
 def _run(request: bytes, limits: Limits) -> tuple[bytes, str]:
@@ -116,6 +119,7 @@ def _environment(folder: str) -> dict[str, str]:
 def _limit(pid: int, limits: Limits) -> None:
     seconds = int(limits.notebook_seconds) + 1
     megabyte = 1 << 20
+    assert resource is not None  # noqa: S101 - cannot_run has said so
     for what, most in (
         (resource.RLIMIT_CPU, seconds),
         (resource.RLIMIT_AS, limits.memory_mb * megabyte),

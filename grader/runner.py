@@ -2,8 +2,8 @@
 """Runs inside the student's process: one self-contained file, started by path with -I, importing nothing of ours.
 
 Standard input is the request; the file descriptor named on the command line takes frames: eight bytes of length, then
-JSON with every asked variable as it stands, and whether this was the last cell. A frame follows every cell, so that a
-process that has to be killed in a later cell has still handed over the earlier answers.
+JSON with every asked variable as it stands, and whether this was the last cell. A frame follows every cell and every
+call of an asked function, so that a process that has to be killed later has still handed over the earlier answers.
 """
 
 import ast
@@ -18,13 +18,20 @@ import sys
 import types
 import warnings
 
-MAX_ELEMENTS, MAX_TEXT, MAX_OUTPUT = 4096, 400, 1 << 16
+MAX_ELEMENTS, MAX_ROWS, MAX_TEXT, MAX_ANSWER, MAX_CALLS = 4096, 64, 400, 20_000, 200  # as in wire.py and ask.py
+MAX_OUTPUT, MAX_FRAME = 1 << 16, 1_900_000
+DUMPS = json.dumps  # bound here, so that a notebook that replaces it still hands over its answers
+PENDING = {"k": "missing", "v": ""}
 HARMLESS_MAGICS = {"matplotlib", "load_ext", "autoreload", "config", "precision", "pylab", "pip", "conda", "reset"}
 TIMING_MAGICS = {"time", "timeit"}
 
 
 class CellTimeout(BaseException):
     """Not an Exception, so that a student's `except Exception` does not swallow it."""
+
+
+class TooLong(ValueError):
+    """An answer with more text than is read."""
 
 
 class Capped(io.TextIOBase):
@@ -95,16 +102,27 @@ def needs_transforming(source):
 
 def encode(value):
     """A value as data: numbers, nested text, or the reason why it is neither."""
-    import numpy as np
-
     if value is ...:
-        return {"k": "missing", "v": ""}
+        return PENDING
     if hasattr(value, "tolist") and hasattr(value, "free_symbols"):  # a sympy matrix
         value = value.tolist()
     if type(value).__module__ == "numpy" and getattr(value, "dtype", None) is not None and value.dtype.kind in "OUS":
         value = value.tolist()  # an array of formulas
-    if isinstance(value, str) or holds_text(value):
-        return {"k": "text", "v": plain_text(value)}
+    if isinstance(value, (set, frozenset)) and holds_text(list(value)):
+        value = sorted(entry(x) for x in value)
+    return text_of(value) if isinstance(value, str) or holds_text(value) else numbers_of(value)
+
+
+def text_of(value):
+    try:
+        return {"k": "text", "v": plain_text(value, MAX_ANSWER)}
+    except TooLong as error:
+        return {"k": "error", "v": str(error)}
+
+
+def numbers_of(value):
+    import numpy as np
+
     try:
         array = as_array(np, value)
     except BaseException as error:
@@ -143,13 +161,38 @@ def holds_text(value, depth=3):
     return any(isinstance(x, str) or holds_text(x, depth - 1) for x in value)
 
 
-def plain_text(value, depth=2):
-    """Nested lists of strings; numbers as their shortest exact text, everything else as str() clipped."""
+def plain_text(value, most, depth=2):
+    """Nested lists of strings. Nothing is cut off: what is left of a formula could be another formula."""
     if isinstance(value, (list, tuple)) and depth:
-        return [plain_text(x, depth - 1) for x in value[:64]]
-    if isinstance(value, (int, float)) or hasattr(value, "dtype"):
+        if len(value) > MAX_ROWS:
+            raise TooLong(f"too long: a list of {len(value)} entries; an answer may have {MAX_ROWS}")
+        return [plain_text(x, MAX_TEXT, depth - 1) for x in value]
+    text = entry(value)
+    if len(text) > most:
+        raise TooLong(f"too long: a text of {len(text)} characters; {most} can be read here")
+    return text
+
+
+def entry(value):
+    """Strings as they are, numbers as their shortest exact text, sympy's Eq(a, b) as a = b, all else as str()."""
+    if isinstance(value, str):
+        return str(value)
+    if isinstance(value, (int, float)) or getattr(getattr(value, "dtype", None), "kind", None) in tuple("biuf"):
         return repr(float(value))
-    return str(value)[:MAX_TEXT]
+    if getattr(value, "rel_op", "") == "==":
+        return f"{value.lhs} = {value.rhs}"
+    return str(value)
+
+
+def encode_asked(value, calls):
+    """A value; where results of calls were asked, a list of them may have one of another shape beside the next."""
+    found = encode(value)
+    if found["k"] != "error" or not calls or not isinstance(value, (list, tuple)) or len(value) > MAX_CALLS:
+        return found
+    results = [encode(result) for result in value]
+    if all(result["k"] == "error" for result in results):
+        return found
+    return {"k": "calls", "v": results, "listed": True}
 
 
 def assigned_names(source):
@@ -162,32 +205,105 @@ def assigned_names(source):
     return stored | {node.name for node in nodes if isinstance(node, (ast.FunctionDef, ast.ClassDef))}
 
 
-def snapshot(names, scope, failures, seconds):
-    """Every asked variable as data; a missing or untouched one carries the error of the cell that should set it."""
-    values = {}
-    for name in names:
-        value, error = limited(lambda name=name: encode(scope.get(name, ...)), seconds)
-        if error or value is None:
-            value = {"k": "error", "v": f"could not be read ({type(error).__name__})"}
-        if name in failures:
-            lost = value["k"] in ("missing", "error")
-            value = {"k": "error", "v": failures[name]} if lost else dict(value, note=failures[name])
-        values[name] = value
-    return values
+class Functions:
+    """Asked functions and the results of their calls. A result is kept until another function has the name."""
+
+    def __init__(self, calls, scope, seconds):
+        self.calls, self.scope, self.seconds = calls, scope, seconds
+        self.called, self.results, self.slow = {}, {}, set()
+
+    def due(self, *, last):
+        """Names that hold a function that was not called yet; after the last cell, all that hold one."""
+        functions = [name for name in self.calls if callable(self.scope.get(name))]
+        return [name for name in functions if last or self.called.get(name) is not self.scope[name]]
+
+    def value(self, name):
+        return {"k": "calls", "v": self.results.get(name) or [PENDING] * len(self.calls[name])}
+
+    def call(self, name):
+        """Calls a function on everything that is asked, pausing after each result.
+
+        After the first call that runs out of time, all others share as much again: forty loops cost no more than two.
+        A result of an earlier round stays where a call now fails.
+        """
+        function, calls = self.scope[name], self.calls[name]
+        if self.called.get(name) is not function:
+            self.called[name], self.results[name] = function, [PENDING] * len(calls)
+            self.slow.discard(name)
+        results = self.results[name]
+        for i, arguments in enumerate(calls):
+            share = self.seconds / len(calls) if name in self.slow else self.seconds
+            result, error = limited(lambda given=arguments: encode(function(*fresh(given))), max(share, 0.01))
+            if isinstance(error, CellTimeout):
+                self.slow.add(name)
+            if error or result["k"] == "error":
+                why = f"call {i + 1} {stopped(error, share)}" if error else f"call {i + 1}: {result['v']}"
+                result = {"k": "error", "v": why[:MAX_TEXT]}
+            elif result["k"] == "missing":
+                result = {"k": "error", "v": f"call {i + 1} returned ..."}
+            if result["k"] != "error" or results[i]["k"] in ("missing", "error"):
+                results[i] = result
+            yield
+
+
+def fresh(arguments):
+    """Arguments of one call: lists as arrays of their own, so that a function may change what it is given."""
+    import numpy as np
+
+    return [np.array(x, dtype=float) if isinstance(x, list) else x for x in arguments]
+
+
+class Reader:
+    """Reads the asked variables, and does not try again what could not be read in its time."""
+
+    def __init__(self, names, functions, seconds):
+        self.names, self.functions, self.seconds, self.slow = names, functions, seconds, {}
+
+    def snapshot(self, failures):
+        """Every asked variable as data; a missing or untouched one carries the error of the cell that should set it."""
+        return {name: self.noted(self.read(name), failures.get(name)) for name in self.names}
+
+    def read(self, name):
+        value, calls = self.functions.scope.get(name, ...), self.functions.calls.get(name)
+        if calls and callable(value):
+            return self.functions.value(name)
+        if name in self.slow and self.slow[name] is value:
+            return self.unread(f"it took longer than {self.seconds:g} s")
+        found, error = limited(lambda: encode_asked(value, calls), self.seconds)
+        if isinstance(error, CellTimeout):
+            self.slow[name] = value
+            return self.unread(f"it took longer than {self.seconds:g} s")
+        return self.unread(kind_of(error)) if error or found is None else found
+
+    @staticmethod
+    def unread(why):
+        return {"k": "error", "v": f"could not be read ({why})"}
+
+    @staticmethod
+    def noted(value, failure):
+        if failure is None:
+            return value
+        return {"k": "error", "v": failure} if value["k"] in ("missing", "error") else dict(value, note=failure)
 
 
 def limited(action, seconds):
-    """What an action returns and what it raised, under an alarm that rings again against a bare except."""
+    """What an action returned and what it raised, under an alarm that rings again against a bare except."""
     try:
         signal.setitimer(signal.ITIMER_PROF, seconds, 0.2)  # processor time: a busy machine is no loop
         signal.setitimer(signal.ITIMER_REAL, 3 * seconds, 0.2)  # for a cell that waits
         try:
-            return action(), None
+            result = action(), None
         finally:
-            signal.setitimer(signal.ITIMER_PROF, 0)
-            signal.setitimer(signal.ITIMER_REAL, 0)
+            silence()
     except BaseException as error:
-        return None, error
+        result = None, error
+    silence()  # again, where an alarm rang while the first was at it
+    return result
+
+
+def silence():
+    signal.setitimer(signal.ITIMER_PROF, 0)
+    signal.setitimer(signal.ITIMER_REAL, 0)
 
 
 def run_cell(source, scope, transform):
@@ -196,13 +312,22 @@ def run_cell(source, scope, transform):
 
 
 def failure(number, error, seconds):
-    if isinstance(error, CellTimeout):
-        return f"cell {number} ran longer than {seconds:g} s and was stopped"
     if isinstance(error, SyntaxError):
         return f"cell {number} is not Python: {error.msg} (line {error.lineno})"
+    return f"cell {number} {stopped(error, seconds)}"
+
+
+def stopped(error, seconds):
+    if isinstance(error, CellTimeout):
+        return f"ran longer than {seconds:.2g} s and was stopped"
     if isinstance(error, MemoryError):
-        return f"cell {number} needed more memory than there is for a notebook"
-    return f"cell {number} stopped with {type(error).__name__}: {str(error)[:200]}"
+        return "needed more memory than there is for a notebook"
+    text, _ = limited(lambda: str(error)[:200], 0.2)  # a student's own error may do anything here
+    return f"stopped with {kind_of(error)}: {text or ''}"
+
+
+def kind_of(error):
+    return type(error).__name__[:80]
 
 
 def not_json(text, error):
@@ -224,7 +349,9 @@ def run(request, write):
     scope.update(__builtins__=builtins, display=print)
     first = ""
     scope["np"] = sys.modules["numpy"]  # a sheet's first cell imports it; one failing line beside it costs no answers
-    write({"done": not cells, "values": {name: {"k": "missing", "v": ""} for name in names}})
+    functions = Functions(request["calls"], scope, seconds)
+    reader = Reader(names, functions, seconds)
+    write({"done": not cells, "values": dict.fromkeys(names, PENDING)})
     shell = Shell(lambda source: run_cell(source, scope, transform))
     scope["get_ipython"] = lambda: shell
     for number, source in enumerate(cells, 1):
@@ -239,8 +366,31 @@ def run(request, write):
         else:
             for name in assigned_names(source) & failures.keys():
                 del failures[name]
-        write({"done": number == len(cells), "values": snapshot(names, scope, failures, seconds)})
+        hand_over(write, reader, failures, last=number == len(cells))
     return None
+
+
+def hand_over(write, reader, failures, *, last):
+    """A frame with every value as it stands, and one more after every call that is due."""
+    functions = reader.functions
+    values, due = reader.snapshot(failures), functions.due(last=last)
+    write({"done": last and not due, "values": fitting(values)})
+    for name in due:
+        for _ in functions.call(name):
+            values[name] = reader.noted(functions.value(name), failures.get(name))
+            write({"done": False, "values": fitting(values)})
+    if last and due:
+        write({"done": True, "values": fitting(values)})
+
+
+def fitting(values):
+    """As many values as one frame can hold, the largest left out first."""
+    sizes = {name: len(DUMPS(value)) for name, value in values.items()}
+    while sum(sizes.values()) > MAX_FRAME:
+        name = max(sizes, key=lambda name: sizes[name])
+        values[name] = {"k": "error", "v": "too large to be marked together with the other answers"}
+        sizes[name] = len(DUMPS(values[name]))
+    return values
 
 
 def alarm(*_):
@@ -258,11 +408,10 @@ def main():
     warnings.simplefilter("ignore")
     sys.stdin = io.StringIO()
     sys.stdout = sys.stderr = Capped()
-    # Bound here, so that a notebook that replaces os.write or json.dumps still hands over its answers.
-    write_bytes, dumps = os.write, json.dumps
+    write_bytes = os.write  # bound here for the same reason as DUMPS
 
     def write(frame):
-        text = dumps(frame).encode()
+        text = DUMPS(frame).encode()
         data = len(text).to_bytes(8, "little") + text
         while data:
             data = data[write_bytes(fd, data) :]

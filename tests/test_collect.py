@@ -1,13 +1,16 @@
 """Notebooks run in a process of their own; a broken cell costs its own answers and nothing else."""
 
 import json
+import re
 import time
 from pathlib import Path
 
 import nbformat
 import numpy as np
 import pytest
-from kinegrade.grader.collect import Ask, Limits, collect
+from kinegrade.grader import ask, wire
+from kinegrade.grader.ask import Ask, AskError, Limits
+from kinegrade.grader.collect import RUNNER, collect
 
 LIMITS = Limits(cell_seconds=20, notebook_seconds=60)  # nothing here is a race with the machine
 LOOPS = Limits(cell_seconds=1, notebook_seconds=60)
@@ -59,6 +62,18 @@ def test_values_come_back_as_a_person_would_mean_them(code, expected):
         ("x = [['q1', 0, 'a1', 'pi/2']]", "text", "q1"),
         ("from sympy import symbols, cos\nx = cos(symbols('q1'))", "text", "cos(q1)"),
         ("x = {'a': 1}", "error", "a dict"),
+        ("x = {'sin(q2) = 0', 'q3 = 0'}", "text", "['q3 = 0', 'sin(q2) = 0']"),
+        ("from sympy import *\nq = symbols('q')\nx = [Eq(sin(q), 0), Eq(q, 1)]", "text", "['sin(q) = 0', 'q = 1']"),
+        ("x = ('q1', 2, 3.5)", "text", "['q1', '2.0', '3.5']"),
+        ("import numpy as np\nx = [np.str_('q1'), np.float64(2), 1 + 2j]", "text", "['q1', '2.0', '(1+2j)']"),
+        ("x = {1, 2}", "error", "a set"),
+        ("x = 'first\\nsecond'", "text", "first\nsecond"),
+        ("x = 'x' * 20_000", "text", "x" * 20_000),
+        ("x = 'x' * 20_001", "error", "too long: a text of 20001 characters; 20000 can be read here"),
+        ("x = ['x' * 401]", "error", "too long: a text of 401 characters; 400"),
+        ("x = ['x'] * 65", "error", "too long: a list of 65 entries"),
+        ("from sympy import *\nq = symbols('q')\nx = Matrix([[q + 1, 2]])", "text", "[['q + 1', '2']]"),
+        ("from sympy import *\nx = expand((symbols('a') + symbols('b')) ** 999)", "error", "too long: a text of"),
         ("x = lambda q: q", "error", "a function"),
         ("x = None", "error", "None"),
         ("x = [[1, 2], [3]]", "error", "not a matrix"),
@@ -252,3 +267,145 @@ def test_no_file_descriptor_leaks():
     for _ in range(3):
         run("x = 1")
     assert len(list(Path("/proc/self/fd").iterdir())) <= before
+
+
+def call(*sources, calls=((1.0,), ([1, 2],), ("ab",)), limits=LIMITS):
+    return collect(notebook(*sources), [Ask("f", calls)], limits)["f"]
+
+
+def results(raw):
+    assert raw.kind == "calls", raw
+    return [x.value.tolist() if x.kind == "num" else x.value for x in raw.value]
+
+
+@pytest.mark.parametrize(
+    ("code", "expected"),
+    [
+        ("def f(x): return x", [1, [1, 2], "ab"]),
+        ("def f(x):\n    x *= 2\n    return x", [2, [2, 4], "abab"]),
+        ("f = lambda x: [x, x]", [[1, 1], [[1, 2], [1, 2]], ["ab", "ab"]]),
+        ("class F:\n    def __call__(self, x): return 1j\nf = F()", [1j, 1j, 1j]),
+        ("def f(x):\n    print(x)\n    return np.matrix([1, 2])", [[[1, 2]]] * 3),
+        ("from sympy import Matrix, pi, sqrt\ndef f(x): return Matrix([sqrt(4), 1])", [[[2], [1]]] * 3),
+        ("from sympy import symbols\ndef f(x): return symbols('q1') + 1", ["q1 + 1"] * 3),
+        ("import json\njson.dumps = None\ndef f(x): return 1", [1, 1, 1]),
+    ],
+)
+def test_a_function_is_called_on_everything_that_is_asked(code, expected):
+    assert results(call(code)) == expected
+
+
+@pytest.mark.parametrize(
+    ("body", "words"),
+    [
+        ("if isinstance(x, str): raise ValueError('no text')", "call 3 stopped with ValueError: no text"),
+        ("return None if isinstance(x, str) else x", "call 3: not a matrix of numbers: None"),
+        ("return {'a': 1} if isinstance(x, str) else x", "call 3: not a matrix of numbers: a dict"),
+        ("return ... if isinstance(x, str) else x", "call 3 returned ..."),
+        ("import sys\n    if isinstance(x, str): sys.exit()", "call 3 stopped with SystemExit"),
+        ("while isinstance(x, str): pass", "call 3 ran longer than 1 s and was stopped"),
+        ("return np.zeros((99, 99)) if isinstance(x, str) else x", "call 3: too large"),
+        ("import os\n    if isinstance(x, str): os._exit(0)", "the notebook ended its own process"),
+    ],
+)
+def test_a_call_that_fails_costs_only_itself(body, words):
+    first, second, third = results(call(f"def f(x):\n    {body}\n    return x", limits=LOOPS))
+    assert (first, second) == (1, [1, 2])
+    assert words in third
+
+
+def test_an_error_that_loops_while_it_is_told_costs_only_its_words():
+    code = "class E(Exception):\n    def __str__(self):\n        while True: pass\ndef f(x): raise E"
+    assert results(call(code))[2] == "call 3 stopped with E: "
+
+
+def test_every_call_gets_lists_of_its_own():
+    code = "seen = []\ndef f(x):\n    x[:] = 7\n    seen.append(x)\n    return [x is y for y in seen].count(True)"
+    assert results(call(code, calls=(([1, 2],), ([1, 2],)))) == [1, 1]
+
+
+def test_arguments_arrive_as_they_were_asked():
+    code = (
+        "def f(*x):\n"
+        '    return [f\'{type(y).__name__} {getattr(y, "dtype", "")} {getattr(y, "shape", "")}\' for y in x]'
+    )
+    calls = ((1, 1.0, "R", [], [[1, 2]], np.eye(2)),)
+    said = ["int  ", "float  ", "str  ", "ndarray float64 (0,)", "ndarray float64 (1, 2)", "ndarray float64 (2, 2)"]
+    assert results(call(code, calls=calls)) == [said]
+
+
+@pytest.mark.parametrize("wait", ["while True: pass", "time.sleep(600)"])
+def test_forty_calls_without_end_do_not_take_forty_times_as_long(wait):
+    code = f"import time\ndef f(x):\n    if x != 30:\n        {wait}\n    return x"
+    limits = Limits(cell_seconds=1, notebook_seconds=30)  # forty times a second, twice, would not end in this
+    found = results(call(code, "a = 1", calls=tuple((float(i),) for i in range(40)), limits=limits))
+    assert found[30] == 30
+    assert sum("ran longer" in str(said) for said in found) == 39
+
+
+def test_helpers_that_are_defined_later_count():
+    assert results(call("def f(x): return g()", "def g(): return 5")) == [5, 5, 5]
+
+
+def test_results_stay_when_a_later_cell_ends_the_process_or_breaks_the_function():
+    for later in ("import os\nos._exit(0)", "del g", "while True: pass"):
+        assert results(call("def g(): return 5\ndef f(x): return g()", later, limits=LOOPS)) == [5, 5, 5]
+
+
+def test_a_function_that_is_defined_again_starts_again():
+    assert "stopped with ZeroDivisionError" in results(call("def f(x): return 5", "def f(x): return 1 / 0"))[0]
+
+
+def test_a_cell_that_stops_behind_its_function_says_so_beside_the_results():
+    raw = call("def f(x): return 5\n1 / 0")
+    assert results(raw) == [5, 5, 5]
+    assert "cell 1 stopped with ZeroDivisionError" in raw.note
+
+
+def test_a_list_of_results_may_stand_in_the_place_of_a_function():
+    assert call("f = [[1, 2], [3, 4]]").value.tolist() == [[1, 2], [3, 4]]
+    raw = call("f = [[1, 2], [[1, 2], [3, 4]], None]")
+    assert raw.listed
+    assert [result.kind for result in raw.value] == ["num", "num", "error"]
+    assert call("f = 'text'").kind == "text"
+    assert call("f = [None, None]").kind == "error"
+    assert call("g = 1").kind == "missing"
+    assert call("f = lambda x: x", calls=()).value == "not a matrix of numbers: a function (TypeError)"
+
+
+@pytest.mark.parametrize("argument", [None, {}, [[1, 2], [3]], ["a"], object()])
+def test_a_call_that_cannot_be_made_is_our_mistake(argument):
+    with pytest.raises(AskError, match="f, call 1: an argument takes a number, text or a list of equal rows"):
+        Ask("f", ((argument,),))
+
+
+def test_too_many_calls_are_refused():
+    with pytest.raises(AskError, match="at most 200 calls"):
+        Ask("f", ((1.0,),) * 201)
+
+
+def test_answers_that_are_too_much_together_cost_the_largest():
+    code = "x = [['\\u0394' * 400] * 64] * 20\ny = 1"
+    found = run(code, names=("x", "y"))
+    assert "too large to be marked together" in found["x"].value
+    assert value(found["y"]) == 1
+
+
+def test_a_text_that_is_slow_to_print_is_tried_once(monkeypatch):
+    code = "class A:\n    free_symbols = {1}\n    def __str__(self):\n        while True: pass\nx = A()"
+    found = run(code, *["y = 1"] * 40, names=("x", "y"), limits=Limits(cell_seconds=0.5, notebook_seconds=15))
+    assert "could not be read (it took longer than 0.5 s)" in found["x"].value
+    assert value(found["y"]) == 1
+
+
+def test_the_runner_has_the_limits_of_the_wire():
+    text = RUNNER.read_text(encoding="utf-8")
+    names, values = re.search(r"^(MAX_ELEMENTS.*) = (.*?)  #", text, re.MULTILINE).groups()
+    assert [int(x) for x in values.split(",")] == [
+        getattr(wire, name, None) or getattr(ask, name) for name in names.split(", ")
+    ]
+
+
+def test_where_notebooks_cannot_run_a_sentence_says_so(monkeypatch):
+    monkeypatch.setattr("kinegrade.grader.collect.resource", None)
+    assert "notebooks are marked on Linux" in run("x = 1")["x"].value

@@ -17,7 +17,7 @@ PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
 SETUPTOOLS = PROJECT["tool"]["setuptools"]
 MODULES = [path.relative_to(ROOT) for package in ORDER for path in sorted((ROOT / package).rglob("*.py"))]
 DISTRIBUTIONS = {"IPython": "ipython", "sqlalchemy": "SQLAlchemy", "markupsafe": "jinja2"}  # jinja2 brings markupsafe
-HEAVY = ("sympy", "matplotlib", "sqlalchemy", "IPython", "typst", "nbformat", "jinja2", "pydantic", "numpy")
+HEAVY = ("sympy", "matplotlib", "sqlalchemy", "IPython", "typst", "nbformat", "jinja2", "pydantic", "numpy", "scipy")
 HELP = """
 from kinegrade.course.cli import main
 sys.argv = ["kinegrade", "--help"]
@@ -65,7 +65,8 @@ def test_the_runner_imports_nothing_of_ours_and_nothing_that_is_not_everywhere()
 
 def test_every_import_is_a_declared_dependency():
     names = {name.split(".")[0] for path in MODULES for name in imported(path)} - set(sys.stdlib_module_names)
-    declared = {re.split(r"[^\w-]", line)[0] for line in PROJECT["project"]["dependencies"]}
+    lines = PROJECT["project"]["dependencies"] + PROJECT["project"]["optional-dependencies"]["matlab"]
+    declared = {re.split(r"[^\w-]", line)[0] for line in lines}
     assert {DISTRIBUTIONS.get(name, name) for name in names - {"kinegrade"}} <= declared
 
 
@@ -128,7 +129,7 @@ def test_no_package_loads_anything_by_itself():
 
 def test_grading_loads_no_sympy_and_no_figures():
     found = loaded("import kinegrade.course.grading, kinegrade.course.submissions, kinegrade.course.tables")
-    assert sorted({"sympy", "matplotlib", "typst", "IPython"} & found) == []
+    assert sorted({"sympy", "matplotlib", "typst", "IPython", "scipy"} & found) == []
 
 
 def written():

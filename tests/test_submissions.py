@@ -1,15 +1,27 @@
 """Whatever is handed in is read as bytes or refused with a sentence; nothing of it stops a batch."""
 
+import io
 import json
 import os
+import subprocess
+import sys
 
 import pytest
-from courses import hand_in, notebook
+from courses import hand_in, notebook, right_answers
 from kinegrade.course.config import CourseError, read_course
 from kinegrade.course.submissions import find_submission, misnamed, read_submission, strangers
-from kinegrade.grader.collect import Ask, Limits
+from kinegrade.grader.ask import Ask, Limits
+from scipy.io import savemat
 
 ASKS = [Ask("lever_p"), Ask("lever_J")]
+
+
+def mat(values):
+    file = io.BytesIO()
+    savemat(file, values)
+    return file.getvalue()
+
+
 HOSTILE = {
     "nothing": b"",
     "half a notebook": notebook("lever_p = [1, 2]")[:100],
@@ -28,6 +40,22 @@ HOSTILE = {
 }
 
 
+WINDOWS = """
+import sys
+from pathlib import Path
+for name in ("resource", "fcntl", "pwd", "grp", "termios", "tty", "pty"):
+    sys.modules[name] = None  # importing it raises ImportError
+import kinegrade.course.check
+from kinegrade.course.config import read_course
+from kinegrade.course.gradebook import Gradebook
+from kinegrade.course.grading import SheetMarker
+course = read_course(Path(sys.argv[1]))
+with Gradebook(course.folder / "gradebook.sqlite") as gradebook:
+    for result in SheetMarker(course, gradebook, course.settings.sheet[0]).results():
+        print(result.student.id, result.points, result.reason)
+"""
+
+
 @pytest.fixture
 def course(class_of_three):
     return class_of_three
@@ -39,7 +67,7 @@ def found(course):
     return submission
 
 
-@pytest.mark.parametrize("suffix", [".ipynb", ".json", ".csv"])
+@pytest.mark.parametrize("suffix", [".ipynb", ".json", ".csv", ".mat"])
 @pytest.mark.parametrize("kind", HOSTILE)
 def test_no_content_makes_reading_fail(course, kind, suffix):
     path = hand_in(course, "ada", HOSTILE[kind], f"one{suffix}")
@@ -56,6 +84,7 @@ def test_no_content_makes_reading_fail(course, kind, suffix):
         ("one.ipynb", notebook("lever_p = [0.5, 1]")),
         ("one.json", json.dumps({"lever_p": [0.5, 1]}).encode()),
         ("one.csv", b"lever_p\n0.5,1\n"),
+        ("one.mat", mat({"lever_p": [0.5, 1]})),
     ],
 )
 def test_a_notebook_and_files_of_matrices_give_the_same_values(course, name, data):
@@ -67,7 +96,7 @@ def test_a_notebook_and_files_of_matrices_give_the_same_values(course, name, dat
 
 
 def test_a_notebook_counts_before_a_file_of_matrices(course):
-    for name in ("one.csv", "one.json", "one.ipynb"):
+    for name in ("one.mat", "one.csv", "one.json", "one.ipynb"):
         hand_in(course, "ada", b"{}", name)
         assert found(course).path.name == name
 
@@ -116,7 +145,7 @@ def test_a_file_too_large_is_not_read(course, monkeypatch):
 @pytest.mark.parametrize("name", ["one.pdf", "one", "one.IPYNB", "one.py"])
 def test_an_ending_that_cannot_be_marked_is_named_with_those_that_can(course, name):
     path = hand_in(course, "ada", b"{}", name)
-    with pytest.raises(CourseError, match=r"takes one of the endings .ipynb, .json, .csv, got"):
+    with pytest.raises(CourseError, match=r"takes one of the endings .ipynb, .json, .csv, .mat, got"):
         read_submission(path)
 
 
@@ -136,3 +165,23 @@ def test_who_handed_in_without_being_on_the_roster_is_listed(course):
     for student in ("ada", "Ben", "zoe", ".git"):
         hand_in(course, student, b"{}")
     assert strangers(course.folder, students) == ["Ben", "zoe"]
+
+
+def test_without_the_modules_of_posix_everything_but_notebooks_is_marked(course):
+    hand_in(course, "ada", right_answers(course, "ada"))
+    hand_in(course, "ben", notebook("lever_p = [1, 2]"), "one.ipynb")
+    hand_in(course, "cyd", mat(right_answers(course, "cyd")), "one.mat")
+    command = [sys.executable, "-c", WINDOWS, str(course.folder)]
+    ran = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert ran.returncode == 0, ran.stderr
+    ada, ben, cyd = ran.stdout.splitlines()
+    assert (ada, cyd) == ("ada 5.0 ", "cyd 5.0 ")
+    assert ben.startswith("ben None ")
+    assert "one.ipynb: notebooks are marked on Linux" in ben
+
+
+def test_without_scipy_a_mat_file_is_refused_and_not_marked(course, monkeypatch):
+    path = hand_in(course, "ada", mat({"lever_p": [1, 2]}), "one.mat")
+    monkeypatch.setitem(sys.modules, "scipy", None)
+    with pytest.raises(CourseError, match=r"one.mat: .mat files are read with scipy, .* pip install scipy"):
+        read_submission(path)

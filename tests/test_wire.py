@@ -42,7 +42,8 @@ def test_complex_numbers_are_real_only_where_no_imaginary_part_is_left():
         {"k": "num", "v": {"shape": [1], "re": [1.0], "im": [], "right": True}},
         {"k": "verdict", "v": "correct"},
         {"k": "text", "v": {"a": 1}},
-        {"k": "text", "v": "x" * 500},
+        {"k": "text", "v": "x" * 20_001},
+        {"k": "text", "v": ["x" * 401]},
         {"k": "text", "v": [[["deep"]]]},
         {"k": "text", "v": [0] * 200_000},
         {"k": "text", "v": [[[0] * 64] * 64] * 64},
@@ -63,3 +64,47 @@ def test_what_is_missing_from_an_unfinished_notebook_says_why():
     assert "ended its own process" in read_frame(frame(None, done=False), ["x"], "")["x"].value
     assert read_frame(frame(None), ["x"], "stopped after 3 s")["x"].value == "stopped after 3 s"
     assert read_frame(frame(numbers([], [1.0]), done=False), ["x"], "")["x"].kind == "num"
+
+
+def calls(*values, **more):
+    return {"k": "calls", "v": list(values), **more}
+
+
+def test_results_of_calls_are_a_raw_value_each():
+    data = calls(numbers([1], [1.0]), {"k": "error", "v": "call 2 stopped"}, {"k": "text", "v": "q1"})
+    raw = read_frame(frame(data), ["x"], "", {"x": 3})["x"]
+    assert [result.kind for result in raw.value] == ["num", "error", "text"]
+    assert not raw.listed
+
+
+def test_calls_that_were_not_made_say_why():
+    data = calls(numbers([1], [1.0]), {"k": "missing", "v": ""})
+    raw = read_frame(frame(data, done=False), ["x"], "", {"x": 2})["x"]
+    assert raw.value[0].kind == "num"
+    assert "ended its own process" in raw.value[1].value
+
+
+@pytest.mark.parametrize(
+    "value",
+    [
+        calls(numbers([1], [1.0])),
+        calls(*[numbers([1], [1.0])] * 3),
+        calls(3, 4),
+        calls(calls(), calls()),
+        calls(*[numbers([1], [1.0])] * 201, listed=True),
+        calls(*[numbers([4096], [1.0] * 4096)] * 20, listed=True),
+        calls(numbers([1], [1.0]), numbers([1], [1.0]), right=True),
+        {"k": "calls", "v": {"a": 1}},
+    ],
+)
+def test_forged_calls_blank_that_variable(value):
+    assert read_frame(frame(value), ["x"], "", {"x": 2})["x"].kind == "error"
+
+
+def test_calls_that_were_not_asked_blank_that_variable():
+    assert read_frame(frame(calls()), ["x"], "")["x"].kind == "error"
+
+
+def test_a_whole_answer_may_be_longer_than_an_entry_and_keeps_its_lines():
+    text = "first\nsecond " + "x" * 19_000
+    assert read_frame(frame({"k": "text", "v": text}), ["x"], "")["x"].value == text
