@@ -6,9 +6,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, get_args
 
+import numpy as np
+
 from ..exercises.catalogue import exercise_files, find
 from ..exercises.exercise import Exercise
-from ..grader.collect import Ask, Limits
+from ..grader.ask import Limits
 from ..grader.mark import mark
 from ..grader.own_work import Remark, remarks
 from ..grader.verdict import STATUS_WORDS, Verdict
@@ -39,16 +41,25 @@ def check_file(path: Path, sheet: Path | None = None) -> tuple[Handout, list[Rem
     exercises = [find(slug, files) for slug in handout.numbers if slug in files]
     if not exercises:
         raise CourseError(f"{sheet or path}: none of its exercises is installed here: {', '.join(handout.numbers)}")
-    asks = [Ask(part.variable) for exercise in exercises for part in exercise.asked]
+    numbers = {exercise.slug: with_samples(exercise, handout.numbers[exercise.slug]) for exercise in exercises}
+    asks = [ask for exercise in exercises for ask in submission.asks(exercise, numbers[exercise.slug])]
     raws = submission.raws(asks, Limits())
     unknown = "an exercise of this course that is not installed here; it is not checked"
     found = [Remark(slug, ok=True, text=unknown) for slug in handout.numbers if slug not in files]
     for exercise in exercises:
         try:
-            found += _remarks(handout.mode, exercise, handout.numbers[exercise.slug], raws)
+            found += _remarks(handout.mode, exercise, numbers[exercise.slug], raws)
         except (LookupError, TypeError, ValueError, ArithmeticError) as error:
             raise CourseError(f"{path}: the numbers of {exercise.slug} in this sheet are damaged: {error!r}") from error
     return handout, found
+
+
+def with_samples(exercise: Exercise, v: dict[str, Any]) -> dict[str, Any]:
+    """The sheet's numbers, and in place of those that the instructor keeps what a first draw would have."""
+    if not exercise.hidden:
+        return v
+    sample = exercise.draw(np.random.default_rng(0))
+    return {**{name: sample[name] for name in exercise.hidden if name in sample}, **v}
 
 
 def read_handout(path: Path) -> Handout:

@@ -12,7 +12,7 @@ from typing import Any
 
 from ..exercises.catalogue import exercise_files
 from ..exercises.exercise import Exercise, Manual
-from ..grader.collect import Ask, Limits
+from ..grader.ask import Ask, Limits
 from ..grader.mark import mark
 from ..grader.verdict import Verdict, not_graded
 from ..grader.wire import Raw
@@ -167,15 +167,18 @@ class SheetMarker:
 
     def _collected(self, todo: Sequence[_Work]) -> Generator[tuple[_Work, dict[str, Raw] | Exception]]:
         """Raw values as they come in; notebooks run side by side, each in a process of its own."""
-        asks = [Ask(name) for name in self._parts]
         with ThreadPoolExecutor(max_workers=os.cpu_count() or 1) as pool:
-            futures = {pool.submit(work.submission.raws, asks, self.limits): work for work in todo}
+            futures = {pool.submit(work.submission.raws, self._asks(work), self.limits): work for work in todo}
             try:
                 for future in as_completed(futures):
                     error = future.exception()
                     yield futures[future], future.result() if error is None else _plain(error)
             finally:
                 pool.shutdown(cancel_futures=True)  # stopped on the way, it does not run the rest of the class
+
+    def _asks(self, work: _Work) -> list[Ask]:
+        pairs = ((exercise, work.records[exercise.slug].numbers) for exercise in self.exercises)
+        return [ask for exercise, v in pairs for ask in work.submission.asks(exercise, v)]
 
     def _mark(self, work: _Work, raws: dict[str, Raw] | Exception) -> Result:
         try:

@@ -4,6 +4,7 @@ from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from ..exercises.exercise import Exercise, Function, Part, Variant
 from ..grader.ask import Ask, Limits
 from ..grader.collect import cannot_run, collect
 from ..grader.mat_file import cannot_read, from_mat
@@ -31,9 +32,20 @@ class Submission:
     path: Path
     data: bytes
 
+    def asks(self, exercise: Exercise, v: Variant) -> list[Ask]:
+        """What to bring back: functions of a notebook are called, a file holds the results of the published calls."""
+        return [_ask(part, v, published=self.path.suffix != ".ipynb") for part in exercise.asked]
+
     def raws(self, asks: Sequence[Ask], limits: Limits) -> dict[str, Raw]:
         """The asked values; runs the notebook, or reads the file of matrices."""
         return READERS[self.path.suffix](self.data, asks, limits)
+
+
+def _ask(part: Part, v: Variant, *, published: bool) -> Ask:
+    if not isinstance(part.answer, Function):
+        return Ask(part.variable)
+    inputs = part.answer.published if published and part.answer.published else part.answer.inputs
+    return Ask(part.variable, tuple(call for group in inputs(v).values() for call in group))
 
 
 def find_submission(folder: Path, student: str, sheet: str) -> Submission | None:

@@ -60,9 +60,9 @@ def _choice(answer: Choice, raw: Raw, _: Variant) -> str:
 
 
 def _results(answer: Function, raw: Raw, v: Variant) -> Results:
-    if raw.kind in ("calls", "results"):
-        return Results(tuple(map(_result, raw.value)), raw.kind == "results")
-    if raw.kind == "num" and answer.published and raw.value.ndim > 1:
+    if raw.kind == "calls":
+        return Results(tuple(map(_result, raw.value)), raw.listed)
+    if raw.kind == "num" and answer.published and raw.value.ndim > 1:  # a list of results of one shape
         return Results(tuple(np.asarray(x, dtype=float) for x in raw.value), published=True)
     raise Unreadable(f"takes a function, def NAME{answer.signature}, got {'numbers' if raw.kind == 'num' else 'text'}")
 

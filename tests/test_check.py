@@ -60,7 +60,7 @@ def test_right_answers_are_fine_in_every_mode(tmp_path, mode):
 )
 def test_a_wrong_answer_is_told_as_the_mode_allows(tmp_path, mode, ok, words):
     _, found = checked(tmp_path, solved(mode, negated("rrt_J")))
-    assert [remark.ok for remark in found] == ok
+    assert [remark.ok for remark in found[:3]] == ok
     assert words in found[2].text
 
 
@@ -79,7 +79,7 @@ def test_a_graded_sheet_does_not_tell_whether_answers_are_right(tmp_path):
 @pytest.mark.parametrize("mode", MODES)
 def test_no_reference_value_is_ever_told(tmp_path, mode, exercise):
     def spoil(_, answer):
-        return answer if isinstance(answer, Table) else -1.3 * answer
+        return -1.3 * answer if isinstance(answer, np.ndarray) else answer
 
     _, found = checked(tmp_path, solved(mode, spoil, (exercise.slug,)))
     text = " ".join(remark.text for remark in found)

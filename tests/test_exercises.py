@@ -116,12 +116,6 @@ def test_the_three_axis_arm_stays_away_from_its_singular_postures(seed):
     assert np.linalg.svd(references(exercise, v)["three_axis_A"], compute_uv=False)[-1] > 0.02
 
 
-@pytest.mark.parametrize("seed", SEEDS)
-def test_the_puma_stays_away_from_its_singular_postures(seed):
-    J = references(EXERCISES["puma_velocities"], variant_of("puma_velocities", seed))["puma_velocities_J"]
-    assert np.linalg.svd(J, compute_uv=False)[-1] >= 0.1
-
-
 def test_the_three_axis_example_of_s0_comes_out_as_printed():
     v = {"L": 3, "a2": 2, "a3": 2, "q": [0, -np.pi / 6, np.pi / 6]}
     got = references(EXERCISES["three_axis"], v)
@@ -136,7 +130,13 @@ def test_the_three_axis_example_of_s0_comes_out_as_printed():
     np.testing.assert_allclose(got["three_axis_J"], J, atol=1e-12)
 
 
-S3 = {"q": [0.1, 0.5, 0.1, 0.8, 0.1, 0.2], "qdot_b": [1, 1.4, 1.7, 0.2, 0.3, 0.1], "vx_c": 2.0}
+S3 = {
+    "q": [0.1, 0.5, 0.1, 0.8, 0.1, 0.2],
+    "qdot_b": [1, 1.4, 1.7, 0.2, 0.3, 0.1],
+    "vx_c": 2.0,
+    "wording": "orientation held (omega = 0)",
+    "family": "near wrist-singular",
+}
 
 
 def test_the_puma_problem_of_s3_comes_out_as_known():

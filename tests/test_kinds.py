@@ -228,10 +228,9 @@ FUNCTION = Part(
 )
 
 
-def results(*values, kind="calls"):
-    return Raw(
-        kind, [Raw("num", np.asarray(value, dtype=float)) if not isinstance(value, Raw) else value for value in values]
-    )
+def results(*values, listed=False):
+    raws = [x if isinstance(x, Raw) else Raw("num", np.asarray(x, dtype=float)) for x in values]
+    return Raw("calls", raws, listed=listed)
 
 
 @pytest.mark.parametrize(
@@ -248,8 +247,8 @@ def results(*values, kind="calls"):
         (results([[2, 4]], [1, 0.2], [200, 6]), 2, "has shape (1, 2), (2,) is asked"),
         (results([2, 4], [1, 0.2]), 2, "no result"),
         (results([2, 4], [1, np.nan], [200, 6]), 2, "NaN"),
-        (results([10, 12], kind="results"), 4, ""),
-        (results([10, 13], kind="results"), 0, "yours: 0 of 1 right"),
+        (results([10, 12], listed=True), 4, ""),
+        (results([10, 13], listed=True), 0, "yours: 0 of 1 right"),
         (Raw("num", np.array([[10.0, 12.0]])), 4, ""),
     ],
 )

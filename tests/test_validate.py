@@ -11,9 +11,6 @@ from kinegrade.course.validate import KINDS, summary, validate, validate_file
 CHANGES = {
     "solve": ("x, y = given", "x, y, z = given"),
     "full marks": ("def tip(v, _):", "def tip(v, _, n=[0]):\n    n[0] += 1\n    v = {**v, 'L': v['L'] + n[0]}"),
-        "def tip(v, _):",
-        "def tip(v, _, count=[0]):\n    count[0] += 1\n    v = {**v, 'L': v['L'] + count[0]}",
-    ),
     "nonsense": ("return np.array([-y, x])", "return np.array([0.0, 0.0])"),
     "mistakes": ('needs=("lever_p",))', 'needs=("lever_p",), mistakes=(Mistake("The same.", column),))'),
     "printable": ('return v["L"] *', 'return 1e7 * v["L"] *'),
