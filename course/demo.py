@@ -9,19 +9,38 @@ from typing import Any
 
 import numpy as np
 
-from ..exercises.exercise import Exercise, Numbers, references
+from ..exercises.exercise import Exercise, Numbers, Part, references, solve
+from ..solutions.errors import KinegradeError
 from ..solutions.table import Table, read_table
 from .blanks import answer_code
-from .config import Course, CourseError, course_text, read_course
+from .config import Course, CourseError, Sheet, read_course
 from .console import progress
 from .files import write_atomically
 from .gradebook import Gradebook
 from .marking import mark_sheets, show
+from .marks import by_hand, enter
 from .sheets import exercises_of, generate
 
 SECRET = "a demonstration keeps no secrets: its numbers are the same everywhere"  # noqa: S105
-Spoil = Callable[[Exercise, dict[str, Any], dict[str, Any]], dict[str, Any]]
-"""From an exercise, its numbers and its right answers to what is handed in; text stands for code."""
+SHEETS = (
+    ("first_steps", "Positions, transforms, turning bodies", "planar_2r dh_transforms cross_products small_rotations"),
+    ("jacobian", "The manipulator Jacobian", "three_axis rrt puma_velocities"),
+    ("columns", "Columns in every frame", "articulated_derivatives last_frame_columns prismatic_columns frames"),
+    ("velocities", "Inverse velocities", "inverse_velocities pseudoinverse find_the_mistake implement_it"),
+)
+COMMENT = "The key says it shorter; both parts of the argument are there."
+
+
+@dataclass(frozen=True)
+class Code:
+    """Text that stands in a cell in place of an answer."""
+
+    text: str
+
+
+Answers = dict[str, Any]
+Spoil = Callable[[Exercise, dict[str, Any], Answers], Answers]
+"""From an exercise, its numbers and its right answers to what is handed in."""
 
 
 @dataclass(frozen=True)
@@ -35,7 +54,8 @@ class Habit:
 def _each(change: Callable[[Any], Any]) -> Spoil:
     """A habit that does the same to every array."""
     return lambda _, __, answers: {
-        name: change(answer) if isinstance(answer, np.ndarray) else answer for name, answer in answers.items()
+        name: change(answer) if isinstance(answer, np.ndarray) and answer.ndim else answer
+        for name, answer in answers.items()
     }
 
 
@@ -43,54 +63,71 @@ def _swapped(J: Any) -> Any:
     return np.concatenate([J[3:], J[:3]]) if J.ndim == 2 and len(J) == 6 else J
 
 
-def _degrees(exercise: Exercise, v: dict[str, Any], _: dict[str, Any]) -> dict[str, Any]:
-    """Every angle of q is taken for degrees."""
-    units = exercise.units["q"]
-    q = [float(np.radians(x)) if unit == "rad" else x for x, unit in zip(v["q"], units, strict=True)]
-    return references(exercise, v | {"q": q})
+def _degrees(exercise: Exercise, v: dict[str, Any], answers: Answers) -> Answers:
+    """Every angle is taken for degrees."""
+    converted = dict(v)
+    for name, units in exercise.units.items():
+        if name in v and (np.array(units) == "rad").any():
+            numbers = np.asarray(v[name], dtype=float)
+            converted[name] = np.where(np.array(units) == "rad", np.radians(numbers), numbers).tolist()
+    try:
+        return references(exercise, converted)
+    except (KinegradeError, ArithmeticError, ValueError, LookupError, np.linalg.LinAlgError):
+        return answers  # nothing follows from such angles
 
 
-def _one_sign(exercise: Exercise, v: dict[str, Any], answers: dict[str, Any]) -> dict[str, Any]:
-    """One sign: of alpha_1 in the table, with all that follows from it, or of one entry of a matrix."""
+def _one_sign(exercise: Exercise, v: dict[str, Any], answers: Answers) -> Answers:
+    """One sign: of alpha_1 in the table, with all that follows from it, or of the largest entry of a matrix."""
+    if exercise.slug == "rrt":
+        return _other_alpha(exercise, v, answers)
     spoiled = dict(answers)
-    if exercise.slug == "rrt":
-        table: Table = answers["rrt_dh"]
-        cells = [[str(cell) for cell in row] for row in table.rows]
-        cells[0][3] = cells[0][3][1:] if cells[0][3].startswith("-") else f"-{cells[0][3]}"
-        given: dict[str, Any] = {
-            "rrt_dh": read_table(cells, sorted({n for row in table.rows for c in row for n in c.names}))
-        }
-        for part in exercise.parts[1:]:
-            given[part.variable] = part.solve(v, given)
-        return given
-    first = next(name for name in spoiled if name.endswith(("_A", "_J")))
-    matrix = spoiled[first].copy()
-    matrix[0, 1] = -matrix[0, 1]
-    return spoiled | {first: matrix}
-
-
-def _shapes(exercise: Exercise, _: dict[str, Any], answers: dict[str, Any]) -> dict[str, Any]:
-    """Only the linear rows of every Jacobian, and a table without its last row."""
-    spoiled = {name: answer[:3] if name.endswith("_J") else answer for name, answer in answers.items()}
-    if exercise.slug == "rrt":
-        spoiled["rrt_dh"] = Table(answers["rrt_dh"].rows[:2])
+    for name, answer in answers.items():
+        if _shape(answer)[1:] not in ((), (1,)):
+            spoiled[name] = answer.copy()
+            spoiled[name].flat[int(np.abs(spoiled[name]).argmax())] *= -1
+            break
     return spoiled
 
 
-def _not_a_number(_: Exercise, __: dict[str, Any], answers: dict[str, Any]) -> dict[str, Any]:
+def _shape(answer: Any) -> tuple[int, ...]:
+    """The shape of an array, () for everything else."""
+    return tuple(answer.shape) if isinstance(answer, np.ndarray) else ()  # pyright: ignore[reportUnknownMemberType, reportUnknownArgumentType]
+
+
+def _other_alpha(exercise: Exercise, v: dict[str, Any], answers: Answers) -> Answers:
+    table: Table = answers["rrt_dh"]
+    cells = [[str(cell) for cell in row] for row in table.rows]
+    cells[0][3] = cells[0][3][1:] if cells[0][3].startswith("-") else f"-{cells[0][3]}"
+    given: Answers = {"rrt_dh": read_table(cells, sorted({n for row in table.rows for c in row for n in c.names}))}
+    for part in exercise.parts[1:]:
+        follows = set(part.needs) & {"rrt_dh", "rrt_T", "rrt_J"}
+        given[part.variable] = solve(exercise.slug, part, v, given) if follows else answers[part.variable]
+    return given
+
+
+def _shapes(exercise: Exercise, _: dict[str, Any], answers: Answers) -> Answers:
+    """Only the linear rows of every Jacobian, and a table without its last row."""
     spoiled = dict(answers)
     for name, answer in answers.items():
-        if name.endswith(("_J", "_A")):
+        if len(_shape(answer)) == 2 and _shape(answer)[0] == 6:
+            spoiled[name] = answer[:3]
+        elif isinstance(answer, Table):
+            spoiled[name] = Table(answer.rows[:2])
+    return spoiled
+
+
+def _not_a_number(_: Exercise, __: dict[str, Any], answers: Answers) -> Answers:
+    spoiled = dict(answers)
+    for name, answer in answers.items():
+        if name.endswith(("_J", "_A")) and isinstance(answer, np.ndarray):
             spoiled[name] = answer.copy()
             spoiled[name].flat[4] = np.nan
     return spoiled
 
 
-def _code_in(suffix: str, code: str) -> Spoil:
+def _code_in(variable: str, code: str) -> Spoil:
     """Code in place of one answer."""
-    return lambda _, __, answers: {
-        name: code.format(name=name) if name.endswith(suffix) else answer for name, answer in answers.items()
-    }
+    return lambda _, __, answers: answers | ({variable: Code(code)} if variable in answers else {})
 
 
 HABITS = (
@@ -103,8 +140,8 @@ HABITS = (
     Habit("wrong shape", _shapes),
     Habit("not a number", _not_a_number),
     Habit("empty", lambda _, __, ___: {}),
-    Habit("syntax error", _code_in("_A", "{name} = np.array([[1, 2, 3)")),
-    Habit("endless loop in one question", _code_in("rrt_J", "while True:\n    {name} = None")),
+    Habit("syntax error", _code_in("three_axis_A", "three_axis_A = np.array([[1, 2, 3)")),
+    Habit("endless loop in one question", _code_in("rrt_J", "while True:\n    rrt_J = None")),
     Habit("somebody else's variant", _each(lambda answer: answer)),
 )
 
@@ -118,9 +155,12 @@ def run_demo(folder: Path) -> None:
     _prepare(folder)
     course = read_course(folder)
     with Gradebook(folder / "gradebook.sqlite") as gradebook:
-        with progress("Writing sheets", len(course.students)) as step:
+        with progress("Writing sheets", len(course.students) * len(SHEETS)) as step:
             generate(course, gradebook, course.settings.sheet, step)
-        hand_in(course, gradebook)
+        for sheet in course.settings.sheet:
+            hand_in(course, gradebook, sheet)
+        mark_sheets(course, gradebook, course.settings.sheet)
+        mark_by_hand(course, gradebook)
         show(course, mark_sheets(course, gradebook, course.settings.sheet))
     first = course.students[0].id
     sys.stderr.write(
@@ -138,14 +178,17 @@ def _prepare(folder: Path) -> None:
         return
     roster = [f"student{i:02},{habit.title}" for i, habit in enumerate(HABITS, 1)]
     write_atomically(folder / "roster.csv", "\n".join(["student,name", *roster]) + "\n")
-    lines = course_text("Kinegrade demonstration", SECRET).splitlines()
-    lines = ["cell_seconds = 2" if line.startswith("cell_seconds") else line for line in lines]
-    write_atomically(settings, "\n".join(lines) + "\n")  # last: with it, the folder is the demonstration
+    blocks = [
+        f'[[sheet]]\nname = "{name}"\ntitle = "{title}"\nexercises = {json.dumps(slugs.split())}\n'
+        for name, title, slugs in SHEETS
+    ]
+    head = f'title = "Kinegrade demonstration"\nsecret = "{SECRET}"\n'
+    text = "\n".join([head, *blocks, "[limits]\ncell_seconds = 2\n"])
+    write_atomically(settings, text)  # last: with it, the folder is the demonstration
 
 
-def hand_in(course: Course, gradebook: Gradebook) -> None:
+def hand_in(course: Course, gradebook: Gradebook, sheet: Sheet) -> None:
     """Every student's notebook with the answer cells filled in as the student's habit has it."""
-    sheet = course.settings.sheet[0]
     numbers = {(record.student, record.exercise): record.numbers for record in gradebook.records(sheet.name)}
     for student, habit in zip(course.students, HABITS, strict=True):
         source = course.students[0] if habit.title.startswith("somebody") else student
@@ -153,19 +196,27 @@ def hand_in(course: Course, gradebook: Gradebook) -> None:
         for exercise in exercises_of(course, sheet):
             v = numbers[source.id, exercise.slug]
             spoiled = habit.spoil(exercise, v, references(exercise, v))
-            answers |= {name: _as_code(exercise, name, answer) for name, answer in spoiled.items()}
+            answers |= {part.variable: _as_code(part, spoiled) for part in exercise.asked if part.variable in spoiled}
         released = course.folder / "released" / student.id / f"{sheet.name}.ipynb"
         write_atomically(
             course.folder / "submitted" / student.id / released.name, fill_in(released.read_bytes(), answers)
         )
 
 
-def _as_code(exercise: Exercise, name: str, answer: Any) -> str:
-    if isinstance(answer, str):
-        return answer
-    part = next(part for part in exercise.parts if part.variable == name)
+def _as_code(part: Part, spoiled: Answers) -> str:
+    answer = spoiled[part.variable]
+    if isinstance(answer, Code):
+        return answer.text
     code = answer_code(part, answer)
     return code.replace("nan", "np.nan") if isinstance(part.answer, Numbers) else code
+
+
+def mark_by_hand(course: Course, gradebook: Gradebook) -> None:
+    """Full points for every argument but the last student's, which stays to be marked."""
+    waiting = [one for one in by_hand(course, gradebook, course.settings.sheet) if one.waits]
+    for one in waiting:
+        if one.student != course.students[-1].id:
+            enter(waiting, gradebook, one.student, one.part.variable, one.part.points, COMMENT, one.sheet)
 
 
 def fill_in(notebook: bytes, answers: Mapping[str, str]) -> bytes:
@@ -173,6 +224,6 @@ def fill_in(notebook: bytes, answers: Mapping[str, str]) -> bytes:
     content: Any = json.loads(notebook)
     for cell in content["cells"]:
         for name, code in answers.items():
-            if cell["cell_type"] == "code" and "".join(cell["source"]).startswith(f"{name} = ..."):
+            if cell["cell_type"] == "code" and "".join(cell["source"]).startswith((f"{name} = ...", f"def {name}(")):
                 cell["source"] = code
     return (json.dumps(content, indent=1, ensure_ascii=False) + "\n").encode("utf-8")

@@ -9,10 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..solutions.expression import latex_name
-
 UNIT_LATEX = {"m": r"\mathrm{m}", "rad": r"\mathrm{rad}", "m/s": r"\mathrm{m/s}", "rad/s": r"\mathrm{rad/s}", "1": ""}
-SPECIAL_NAMES = {"q": r"\mathbf{q}", "qdot_b": r"\dot{\mathbf{q}}_b", "vx_c": r"v_{x,c}"}
+COMMA = r",\; "
 
 
 def number(value: float, decimals: int) -> str:
@@ -48,16 +46,18 @@ def _printed(expression: Any) -> str:
     return sympy.latex(shorthand(expression), mat_str="bmatrix", mat_delim="")
 
 
-def given_number(name: str, value: Any, units: Any) -> str:
-    """LaTeX of one drawn number or vector with its unit."""
-    symbol = SPECIAL_NAMES.get(name) or latex_name(name)
+def given_number(symbol: str, value: Any, units: Any) -> str:
+    """LaTeX of one drawn number, vector or matrix with its unit; a matrix of several units has none."""
+    kinds = list(dict.fromkeys(np.array(units).ravel().tolist()))
+    unit = rf"\,{UNIT_LATEX[kinds[0]]}" if len(kinds) == 1 and UNIT_LATEX[kinds[0]] else ""
     if not isinstance(value, list):
-        return rf"{symbol} = {value}\,{UNIT_LATEX[units]}"
-    listed = [*units] if isinstance(units, list) else [units] * len(value)
-    if len(set(listed)) == 1:
-        inside = r",\; ".join(map(str, value))
-        return rf"{symbol} = ({inside})\,{UNIT_LATEX[listed[0]]}"
-    inside = r",\; ".join(rf"{x}\,{UNIT_LATEX[unit]}" for x, unit in zip(value, listed, strict=True))
+        return rf"{symbol} = {value}{unit}"
+    if isinstance(value[0], list):
+        body = r" \\ ".join(" & ".join(map(str, row)) for row in value)
+        return rf"{symbol} = \begin{{bmatrix}} {body} \end{{bmatrix}}{unit}"
+    if len(kinds) == 1:
+        return rf"{symbol} = ({COMMA.join(map(str, value))}){unit}"
+    inside = COMMA.join(rf"{x}\,{UNIT_LATEX[unit]}" for x, unit in zip(value, units, strict=True))
     return rf"{symbol} = ({inside})"
 
 

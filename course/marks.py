@@ -90,14 +90,20 @@ def _key(exercise: Exercise, part: Part, numbers: dict[str, Any]) -> str:
 
 
 def enter(
-    found: Sequence[ByHand], gradebook: Gradebook, student: str, part: str, points: float, comment: str = ""
+    found: Sequence[ByHand],
+    gradebook: Gradebook,
+    student: str,
+    part: str,
+    points: float,
+    comment: str = "",
+    sheet: str = "",
 ) -> None:
     """Enters one mark for the answer as it is now.
 
     Raises:
         CourseError: nothing by that name is marked by hand, or the points are out of range.
     """
-    gradebook.save_marks([_mark(_one(found, student, part), points, comment)])
+    gradebook.save_marks([_mark(_one(found, student, part, sheet), points, comment)])
 
 
 def _one(found: Sequence[ByHand], student: str, part: str, sheet: str = "") -> ByHand:

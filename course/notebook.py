@@ -13,6 +13,7 @@ from ..exercises.drawing import Drawing
 from ..exercises.exercise import Choice, Exercise, Manual, Numbers, Part, Step, references
 from ..grader.arm import draw
 from ..grader.raster import data_uri, png
+from ..solutions.expression import latex_name
 from .blanks import answer_code, blank, self_check
 from .config import Sheet, Student
 from .escape import no_markup
@@ -114,17 +115,30 @@ def _heading(course: str, sheet: Sheet, student: Student, pairs: Sequence[Pair])
 
 
 def _question(number: int, exercise: Exercise, v: dict[str, Any]) -> str:
-    given = r", $\quad$ ".join(
-        f"${given_number(name, v[name], unit)}$" for name, unit in exercise.units.items() if name in v
-    )
     parts = (
         f"## {number}. {exercise.title} ({_points(exercise.points)})",
         f"*{' '.join(exercise.objectives)}*" if exercise.objectives else "",
         exercise.statement(v),
-        f"**Your numbers:** {given}",
+        *_given_numbers(exercise, v),
         *_figures(exercise.drawings(v)),
     )
     return "\n\n".join(part for part in parts if part)
+
+
+def _given_numbers(exercise: Exercise, v: dict[str, Any]) -> tuple[str, ...]:
+    """Numbers and vectors in one line, every matrix on its own."""
+    texts = {
+        name: given_number(exercise.symbols.get(name) or _symbol(name), v[name], unit)
+        for name, unit in exercise.units.items()
+        if name in v
+    }
+    matrices = [f"$${text}$$" for text in texts.values() if "bmatrix" in text]
+    line = r", $\quad$ ".join(f"${text}$" for text in texts.values() if "bmatrix" not in text)
+    return (f"**Your numbers:** {line}", *matrices)
+
+
+def _symbol(name: str) -> str:
+    return r"\mathbf{q}" if name == "q" else latex_name(name)
 
 
 def _points(points: float) -> str:

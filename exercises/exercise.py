@@ -130,6 +130,7 @@ class Exercise:
 
     `units` give the unit of every drawn number that is printed (nested like the number itself); what is not listed
     there is not printed. `hidden` names drawn numbers that stay with the instructor, such as the inputs of a function.
+    `symbols` are the LaTeX of printed names that are more than letters and an index.
     `scale(v)` is a typical length [m] that linear tolerances are measured against.
     """
 
@@ -143,6 +144,7 @@ class Exercise:
     scale: Callable[[Variant], float]
     objectives: tuple[str, ...] = ()
     minutes: int = 30
+    symbols: Mapping[str, str] = field(default_factory=dict[str, str])
     difficulty: Literal["easy", "medium", "hard"] = "medium"
     hidden: tuple[str, ...] = ()
     robot: str | None = None

@@ -6,6 +6,7 @@ from answers import EXERCISES, raws, right_raws, variant_of
 from kinegrade.exercises.exercise import references
 from kinegrade.grader.mark import mark
 from kinegrade.grader.wire import Raw
+from kinegrade.solutions.expression_array import expression_array
 from kinegrade.solutions.jacobian import jacobian
 from kinegrade.solutions.kinematics import forward
 
@@ -23,7 +24,7 @@ def own_numbers(v, q):
     return {name: v[name] for name in ("l1", "l2", "beta")} | {"q1": q[0], "q2": q[1]}
 
 
-def points(v, answers):
+def verdicts_of(v, answers):
     right = right_raws(EXERCISE, v)
     return {verdict.part: verdict for verdict in mark(EXERCISE, v, right | raws(answers))}
 
@@ -67,29 +68,35 @@ def test_the_arm_is_bent(seed):
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_what_the_source_prints_earns_nothing(seed):
-    verdicts = points(
+    verdicts = verdicts_of(
         variant_of("planar_2r", seed), {"planar_2r_pose": PRINTED, "planar_2r_J_symbolic": [["0", "0"]] * 3}
     )
     assert verdicts["planar_2r_pose"].points == 0
     assert any("positive senses" in finding.text for finding in verdicts["planar_2r_pose"].findings)
-    alone = points(variant_of("planar_2r", seed), {"planar_2r_J_symbolic": PRINTED_J})
+    alone = verdicts_of(variant_of("planar_2r", seed), {"planar_2r_J_symbolic": PRINTED_J})
     assert alone["planar_2r_J_symbolic"].points == 0
+
+
+def test_a_product_in_the_wrong_order_is_not_paid_for_its_rotation():
+    v = variant_of("planar_2r", 0)
+    T1, T2 = references(EXERCISE, v)["planar_2r_T"]
+    verdict = verdicts_of(v, {"planar_2r_T": np.array([T1, np.linalg.inv(T1) @ T2 @ T1])})["planar_2r_T"]
+    assert verdict.points == verdict.out_of / 2
+    assert "wrong order" in verdict.findings[0].text
 
 
 def test_derivatives_of_a_wrong_pose_are_followed_through():
     v = variant_of("planar_2r", 0)
     part = EXERCISE.asked[0]
     wrong = {"planar_2r_pose": part.mistakes[0].solve(v, {})}
-    given = {"planar_2r_pose": references_of(wrong["planar_2r_pose"])}
+    given = {"planar_2r_pose": formulas(wrong["planar_2r_pose"])}
     J = EXERCISE.asked[1].solve(v, given)
-    verdicts = points(v, wrong | {"planar_2r_J_symbolic": [[str(x) for x in row] for row in J.tolist()]})
-    assert verdicts["planar_2r_pose"].status == "partly" or verdicts["planar_2r_pose"].findings
+    verdicts = verdicts_of(v, wrong | {"planar_2r_J_symbolic": [[str(x) for x in row] for row in J.tolist()]})
+    assert verdicts["planar_2r_pose"].status != "correct"
     assert verdicts["planar_2r_J_symbolic"].points == EXERCISE.asked[1].points
 
 
-def references_of(texts):
-    from kinegrade.solutions.expression_array import expression_array
-
+def formulas(texts):
     return expression_array(texts, ("l1", "l2", "beta", "q1", "q2"))
 
 
@@ -98,7 +105,7 @@ def test_nothing_follows_from_a_pose_that_is_made_easy():
     theta = str(references(EXERCISE, v)["planar_2r_pose"].entries[2])
     J = references(EXERCISE, v)["planar_2r_J_symbolic"].text()[2]
     easy = {"planar_2r_pose": ["0", "0", theta], "planar_2r_J_symbolic": [["0", "0"], ["0", "0"], J]}
-    verdicts = points(v, easy)
+    verdicts = verdicts_of(v, easy)
     assert verdicts["planar_2r_pose"].status == "partly"
     assert verdicts["planar_2r_J_symbolic"].points == 0
 
@@ -106,5 +113,5 @@ def test_nothing_follows_from_a_pose_that_is_made_easy():
 def test_numbers_put_into_the_formulas_earn_nothing():
     v = variant_of("planar_2r", 0)
     pose = references(EXERCISE, v)["planar_2r_pose"].at(own_numbers(v, v["q"]))
-    verdicts = points(v, {"planar_2r_pose": Raw("num", pose)})
+    verdicts = verdicts_of(v, {"planar_2r_pose": Raw("num", pose)})
     assert verdicts["planar_2r_pose"].points == 0
