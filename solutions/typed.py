@@ -76,7 +76,7 @@ def _is_product(left: str, right: str, names: frozenset[str]) -> bool:
 
 def _respelled(name: str, names: frozenset[str]) -> set[str]:
     """l_1 is l1, d3 is d_3."""
-    return {known for known in names if _indexed(known) == _indexed(name)}
+    return {name} & names or {known for known in names if _indexed(known) == _indexed(name)}
 
 
 def _other_case(name: str, names: frozenset[str]) -> set[str]:
@@ -87,8 +87,8 @@ def _other_case(name: str, names: frozenset[str]) -> set[str]:
 def _prefixed(name: str, names: frozenset[str]) -> set[str]:
     """rrt_d1 is d1; a single letter or what has a meaning of its own is no prefix."""
     cuts = [i for i, letter in enumerate(name) if letter == "_" and i > 1 and name[:i] not in NO_PREFIX]
-    found = {i: {name[i + 1 :]} & names or _respelled(name[i + 1 :], names) for i in cuts}
-    return {long for i in cuts if found[i] and not _has_meaning(name[:i], names) for long in found[i]}
+    rests = {name[:i]: name[i + 1 :] for i in cuts if not _has_meaning(name[:i], names)}
+    return {long for rest in rests.values() for long in _respelled(rest, names) or _joint(rest, names)}
 
 
 def _has_meaning(name: str, names: frozenset[str]) -> bool:

@@ -39,6 +39,7 @@ def refusal(text: Any, names: Any = NAMES) -> ExpressionError:
         ("l_1 + L1 + L_1 + a2 + A_2", "l1 + l1 + l1 + a_2 + a_2"),
         ("α₁ + alpha_1", "alpha1 + alpha1"),
         ("rrt_d1 + three_axis_l1 + rrt_d_1 + rrt_a2", "d1 + l1 + d1 + a_2"),
+        ("rrt_theta1 + rrt_θ₂ + rrt_q_3", "q1 + q2 + q3"),
         ("np.sin(q1) + numpy.cos(q1)", "sin(q1) + cos(q1)"),
         ("math.pi/2 - np.pi + sp.pi + Pi", "pi/2 - pi + pi + pi"),
         ("sympy.sqrt(2) + Sqrt(2)", "sqrt(2) + sqrt(2)"),
