@@ -27,6 +27,7 @@ BINARY: dict[str, Callable[[Any, Any], Any]] = {
 }  # fmt: skip
 CALLED = {**dict.fromkeys(FUNCTIONS, 1), "atan2": 2}  # functions and how many arguments they take
 DEPTH, EXPONENT = 40, 20
+MISSING = {"(": "", ")": "a closing bracket is missing", ",": "a comma and another argument are missing"}
 BINDING = {"+": 10, "-": 10, "*": 20, "/": 20, "neg": 30, "^": 40}
 
 
@@ -134,7 +135,7 @@ class _Parser:
         token = self.next
         if expected and token.text != expected:
             before = self.tokens[self.place - 1].kind if self.place else ""
-            raise ExpressionError(_missing(expected) if token.kind == "end" else _leftover(token, before), token.offset)
+            raise ExpressionError(MISSING[expected] if token.kind == "end" else _leftover(token, before), token.offset)
         self.place += token.kind != "end"
         return token
 
@@ -267,10 +268,6 @@ def _leftover(token: Token, before: str) -> str:
     if token.kind in ("number", "name") or token.text == "(":
         return f"a sign such as * is missing before '{(token.typed or token.text)[:40]}'"
     return f"'{token.text}' has no place here"
-
-
-def _missing(expected: str) -> str:
-    return "a closing bracket is missing" if expected == ")" else "a comma and another argument are missing"
 
 
 def _is_leaf(node: Node) -> bool:

@@ -69,26 +69,31 @@ def _readings(name: str, names: frozenset[str]) -> set[str]:
 
 def _is_product(left: str, right: str, names: frozenset[str]) -> bool:
     """Whether both, or the left one and all factors of the right one, are names or shorthands."""
-    known = [bool(_readings(part.translate(TRANSLATED), names)) for part in (left, right)]
-    cuts = range(1, len(right)) if known[0] and not known[1] else ()
-    return all(known) or any(_is_product(right[:cut], right[cut:], names) for cut in cuts)
+    if not _readings(left.translate(TRANSLATED), names):
+        return False
+    cuts = range(1, len(right))
+    return bool(_readings(right.translate(TRANSLATED), names)) or any(
+        _is_product(right[:cut], right[cut:], names) for cut in cuts
+    )
 
 
 def _respelled(name: str, names: frozenset[str]) -> set[str]:
     """l_1 is l1, d3 is d_3."""
-    return {known for known in names if _indexed(known) == _indexed(name)}
+    meant = _indexed(name)
+    return {name} & names or {known for known in names if _indexed(known) == meant}
 
 
 def _other_case(name: str, names: frozenset[str]) -> set[str]:
     """L1 is l1."""
-    return {known for known in names if _indexed(known.lower()) == _indexed(name.lower())}
+    meant = _indexed(name.lower())
+    return {known for known in names if _indexed(known.lower()) == meant}
 
 
 def _prefixed(name: str, names: frozenset[str]) -> set[str]:
     """rrt_d1 is d1; a single letter or what has a meaning of its own is no prefix."""
     cuts = [i for i, letter in enumerate(name) if letter == "_" and i > 1 and name[:i] not in NO_PREFIX]
-    found = {i: {name[i + 1 :]} & names or _respelled(name[i + 1 :], names) for i in cuts}
-    return {long for i in cuts if found[i] and not _has_meaning(name[:i], names) for long in found[i]}
+    rests = {name[:i]: name[i + 1 :] for i in cuts if not _has_meaning(name[:i], names)}
+    return {long for rest in rests.values() for long in _respelled(rest, names) or _joint(rest, names)}
 
 
 def _has_meaning(name: str, names: frozenset[str]) -> bool:

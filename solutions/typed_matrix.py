@@ -192,15 +192,15 @@ def _equations(tokens: Sequence[Token], names: Collection[str]) -> Iterator[list
     parts = _without_trailing(split(tokens, (",", ";", "\n")))
     if len(parts) > EQUATIONS:
         raise ExpressionError(f"up to {EQUATIONS} conditions are read, got {len(parts)}", parts[EQUATIONS][0].offset)
-    written = any(token.text == "=" for part in parts for token in part)
+    sides = [split(part, "=") for part in parts]
+    written = any(len(both) > 1 for both in sides)
     left = list[Token]()
-    for part in parts:
-        left_side, *more = split(part, "=")
+    for part, (first, *more) in zip(parts, sides, strict=True):
         place = part[-1].offset
         if len(more) > 1:
             raise ExpressionError("a = b = c takes two equations, a = b; b = c", more[0][-1].offset)
         if more:
-            left = left_side
+            left = first
             yield part
         elif not written:
             yield [*part[:-1], Token("sign", "=", place), Token("number", "0", place), Token("end", "", place)]

@@ -41,7 +41,9 @@ def typed_quantity(text: str) -> tuple[float, str]:
         formula, unit = tokens[: -1 - many], tokens[-1 - many : -1]
         for before, word in pairwise(formula):
             if (before.kind == "number" or before.text == ")") and word.kind == "name" and word.text not in WORDS:
-                raise ExpressionError(f"unknown unit '{text[word.offset :]}'; known: {', '.join(UNITS)}", word.offset)
+                raise ExpressionError(
+                    f"unknown unit '{text[word.offset :][:40]}'; known: {', '.join(list(UNITS)[1:])}", word.offset
+                )
         factor, si = UNITS["".join(token.text for token in unit) or "1"]
         value = typed_tokens([*formula, Token("end", "", (unit or tokens[-1:])[0].offset)], ()).at({})
         return float(Fraction(float(value)) * Fraction(repr(factor))), si  # 350 mm are 0.35 m, not 0.35000000000000003

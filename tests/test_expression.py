@@ -39,6 +39,8 @@ READABLE = {"1e-3": 0.001}
         ("asin(1)", math.pi / 2),
         ("acos(0) + atan(1)*2 - pi", 0.0),
         ("tan(pi/4)", 1.0),
+        ("atan2(-1, -1)", -3 * math.pi / 4),
+        ("2*atan2(q1 + q2, a1)^2", 2 * math.atan2(0.9, 0.7) ** 2),
         ("-a1*sin(q1) - l2*sin(q1+q2)", -0.7 * math.sin(1.3) - 0.9 * math.sin(0.9)),
         ("cos(q1)^2 + sin(q1)**2", 1.0),
         ("  q1\t", 1.3),
@@ -59,6 +61,7 @@ def test_formulas_are_read_as_mathematics_has_them(text: str, value: float):
         ("θ1 + α1", "theta1 + alpha1"),
         ("θ₁ + q₂", "theta1 + q2"),
         ("q1² + q2³", "q1^2 + q2^3"),
+        ("q1⁻¹·2¹⁰", "q1^-1*2^10"),
         ("q1\u00a0+\u2009q2", "q1 + q2"),
     ],
 )
@@ -99,6 +102,13 @@ def test_every_bad_input_is_refused_at_a_place_or_read_as_a_person_would(entry: 
         ("3,14", 1, "a decimal number takes a point, as in 3.14, got a comma"),
         ("sin(0,5)", 5, "a decimal number takes a point, as in 3.14, got a comma"),
         ("π + 2q1", 5, "a sign such as * is missing before 'q1'"),
+        ("(q1, q2)", 3, "a comma has no place here"),
+        ("q1²^3", 2, "two powers in a row take brackets"),
+        ("atan2(q1)", 8, "atan2 takes 2 arguments, got 1"),
+        ("atan2(q1, q2, a1)", 12, "a comma has no place here"),
+        ("atan2(q1", 8, "a comma and another argument are missing"),
+        ("atan2 q1", 6, "atan2 takes two arguments in brackets, as in atan2(y, x)"),
+        ("q1 atan2 q2", 3, "a sign such as * is missing before 'atan2'"),
         ("(q1", 3, "a closing bracket is missing"),
         ("q1)", 2, "this bracket was never opened"),
         ("", 0, "the formula stops"),
@@ -186,6 +196,7 @@ def formulas() -> st.SearchStrategy[str]:
             st.tuples(inner, st.sampled_from("+-*/"), inner).map(lambda x: f"({x[0]}) {x[1]} ({x[2]})")
             | st.tuples(inner, st.sampled_from("+-*/"), leaves).map(" ".join)
             | st.tuples(st.sampled_from(["-", "sin", "cos"]), inner).map(lambda x: f"{x[0]}({x[1]})")
+            | st.tuples(inner, leaves).map(lambda x: f"atan2({x[0]}, {x[1]})")
             | st.tuples(inner, st.sampled_from(["2", "-1", "-(1/2)"])).map(lambda x: f"({x[0]})^{x[1]}")
         )
 
@@ -256,6 +267,7 @@ def test_a_number_below_zero_may_stand_in_the_nodes():
         (("s", "q1"), ("s", "q2"), ("-", 1, 0)),
         (("s", "q1"), ("__import__", 0)),
         (("s", "q1"), ("sin", 0, 0)),
+        (("s", "q1"), ("atan2", 0)),
         ((),),
     ],
 )
@@ -270,6 +282,7 @@ def test_sympy_gets_exact_numbers_and_real_symbols():
     q1, a1 = sp.Symbol("q1", real=True), sp.Symbol("a1", real=True)
     expected = sp.Rational(1, 10) * a1 * sp.sin(q1 + sp.pi / 2) - sp.sqrt(2) / sp.Rational(1, 1000) ** 2
     assert sp.simplify(parse("0.1*a1*sin(q1 + pi/2) - sqrt(2)/1e-3^2", NAMES).sympy() - expected) == 0
+    assert parse("atan2(q1, a1)", NAMES).sympy() == sp.atan2(q1, a1)
     assert parse("-q1 + asin(a1)*acos(a1)", NAMES).sympy() == -q1 + sp.asin(a1) * sp.acos(a1)
 
 
