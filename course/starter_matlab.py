@@ -47,7 +47,7 @@ def _heading(course: str, sheet: Sheet, student: Student) -> Iterator[str]:
     )
     yield from _comment(
         "Units are metres, radians and seconds. Text stands in single quotes: text in double quotes and symbolic "
-        "objects cannot be read outside MATLAB; char(...) turns both into text. What is left empty counts as not answered."
+        "objects cannot be read outside MATLAB; char(...) turns both into text. What is left empty is not answered."
     )
 
 
@@ -166,11 +166,11 @@ def _function(name: str, answer: Function, v: Any) -> Iterator[str]:
     if not calls:
         yield f"{name} = {{}};  % a Python function {name}{_one_line(answer.signature)}: hand in the notebook"
         return
-    yield from _comment(f"Results of {name}{answer.signature} for the arguments in each row of {name}_inputs:")
+    yield from _comment(f"Results of {name}{answer.signature} for the arguments in each cell of {name}_inputs:")
     yield f"{name}_inputs = {{ ..."
-    yield from (f"    {', '.join(map(_argument, call))}; ..." for call in calls)
+    yield from (f"    {{{', '.join(map(_argument, call))}}}; ..." for call in calls)
     yield "};"
-    yield f"{name} = cell(1, {len(calls)});  % {name}{{k}} = result for {name}_inputs{{k, :}}"
+    yield f"{name} = cell(1, {len(calls)});  % {name}{{k}} = result for {name}_inputs{{k}}{{:}}"
 
 
 def _argument(value: Any) -> str:

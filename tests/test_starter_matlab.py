@@ -71,13 +71,13 @@ def test_a_function_comes_with_the_inputs_whose_results_are_handed_in():
     calls = {"planar": [([0.5, -1.0], "RR"), ([[1.0, 2], [3, 4]], "it's")], "other": [(np.eye(2), 3)]}
     text = script(Function("(q, kinds)", lambda _: {}, published=lambda _: calls))
     assert (
-        "% Results of ex_0(q, kinds) for the arguments in each row of ex_0_inputs:\n"
+        "% Results of ex_0(q, kinds) for the arguments in each cell of ex_0_inputs:\n"
         "ex_0_inputs = { ...\n"
-        "    [0.5, -1.0], 'RR'; ...\n"
-        "    [1.0, 2; 3, 4], 'it''s'; ...\n"
-        "    [1.0, 0.0; 0.0, 1.0], 3; ...\n"
+        "    {[0.5, -1.0], 'RR'}; ...\n"
+        "    {[1.0, 2; 3, 4], 'it''s'}; ...\n"
+        "    {[1.0, 0.0; 0.0, 1.0], 3}; ...\n"
         "};\n"
-        "ex_0 = cell(1, 3);  % ex_0{k} = result for ex_0_inputs{k, :}\n"
+        "ex_0 = cell(1, 3);  % ex_0{k} = result for ex_0_inputs{k}{:}\n"
     ) in text
 
 
