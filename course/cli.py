@@ -30,6 +30,8 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
+marks = typer.Typer(help="Marks for the parts that are marked by hand.", no_args_is_help=True)
+app.add_typer(marks, name="marks")
 CourseOption = Annotated[Path, typer.Option("--course", "-c", help="The course folder.")]
 STOPPED = 130  # what typer makes of Ctrl-C
 SheetArguments = Annotated[list[str] | None, typer.Argument(help="Names of sheets; all when none is given.")]
@@ -134,7 +136,10 @@ def check(
 
     handout, found = check_file(file, sheet)
     for remark in found:
-        print(f"{'✓' if remark.ok else '✗'} {remark.part:28} {printable(remark.text)}")
+        sentence, *typed = remark.text.split("\n")
+        print(f"{'✓' if remark.ok else '✗'} {remark.part:28} {printable(sentence)}")
+        for line in typed:
+            print(f"{'':30} {printable(line)}")
     told = {
         "practice": "Practice sheet: everything is told but the reference values.",
         "graded": "Graded sheet: this tells whether answers can be read and fit each other, not if they are right.",
@@ -142,6 +147,63 @@ def check(
     }
     say(told[handout.mode])
     raise typer.Exit(0 if all(remark.ok for remark in found) else 1)
+
+
+@marks.command("list")
+def list_marks(sheets: SheetArguments = None, course: CourseOption = Path()) -> None:
+    """Answers that wait for a mark, with the key and the rubric."""
+    from .marks import by_hand
+    from .tables import show_by_hand
+
+    with _opened(course) as (opened, gradebook):
+        show_by_hand([one for one in by_hand(opened, gradebook, opened.sheets(tuple(sheets or ()))) if one.waits])
+
+
+@marks.command("set")
+def set_mark(
+    student: Annotated[str, typer.Argument(help="An id of roster.csv.")],
+    part: Annotated[str, typer.Argument(help="The variable of the part.")],
+    points: Annotated[float, typer.Argument(help="Points, up to those of the part.")],
+    comment: Annotated[str, typer.Option("--comment", help="A sentence for the student.")] = "",
+    sheet: Annotated[str | None, typer.Option("--sheet", help="The sheet, where the part is on several.")] = None,
+    course: CourseOption = Path(),
+) -> None:
+    """Enter one mark."""
+    from .marks import by_hand, enter
+
+    with _opened(course) as (opened, gradebook):
+        found = by_hand(opened, gradebook, opened.sheets((sheet,) if sheet else ()))
+        enter([*found], gradebook, student, part, points, comment)
+        say("Entered. `kinegrade report` writes the pages with it.")
+
+
+@marks.command("write")
+def write_marks(
+    file: Annotated[Path, typer.Argument(help="A new .csv file.")],
+    sheets: SheetArguments = None,
+    course: CourseOption = Path(),
+) -> None:
+    """Write a CSV file with a line for every answer; fill in points and comment, then `marks read`."""
+    from .marks import by_hand, write_csv
+
+    with _opened(course) as (opened, gradebook):
+        found = [*by_hand(opened, gradebook, opened.sheets(tuple(sheets or ())))]
+        write_csv(found, file)
+        print(file)
+        say(f"{len(found)} answers, {sum(one.waits for one in found)} of them wait for a mark.")
+
+
+@marks.command("read")
+def read_marks(
+    file: Annotated[Path, typer.Argument(help="The file of `marks write`, with points filled in.")],
+    course: CourseOption = Path(),
+) -> None:
+    """Enter the marks of a CSV file, all or none."""
+    from .marks import by_hand, read_csv
+
+    with _opened(course) as (opened, gradebook):
+        entered = read_csv(file, [*by_hand(opened, gradebook, opened.sheets())], gradebook)
+        say(f"{entered} marks entered. `kinegrade report` writes the pages with them.")
 
 
 @app.command()
@@ -152,6 +214,30 @@ def report(course: CourseOption = Path()) -> None:
 
     with _opened(course) as (opened, gradebook):
         print(write_results(opened, [(sheet, recorded_results(opened, gradebook, sheet)) for sheet in opened.sheets()]))
+
+
+@app.command()
+def validate(
+    exercises: Annotated[
+        list[str] | None, typer.Argument(help="Names or files of exercises; all known ones when none is given.")
+    ] = None,
+    course: CourseOption = Path(),
+    seeds: Annotated[int, typer.Option("--seeds", min=1, help="How many draws of each are looked at.")] = 100,
+    as_json: Annotated[bool, typer.Option("--json", help="Print JSON instead of a table.")] = False,
+) -> None:
+    """Prove that exercises can be solved, marked and told apart from nonsense and known mistakes."""
+    from .validate import chosen, steps
+    from .validate import validate as look
+    from .validation_table import show_validations, validations_json
+
+    paths = chosen(tuple(exercises or ()), course / "exercises")
+    with progress("Validating", steps(len(paths), seeds)) as step:
+        validations = look(paths, seeds, step)
+    if as_json:
+        print(validations_json(validations))
+    else:
+        show_validations(validations)
+    raise typer.Exit(1 if any(validation.failures for validation in validations) else 0)
 
 
 @app.command()

@@ -11,12 +11,12 @@ import numpy as np
 
 from ..exercises.exercise import Exercise, Numbers, references
 from ..solutions.table import Table, read_table
+from .blanks import answer_code
 from .config import Course, CourseError, course_text, read_course
 from .console import progress
 from .files import write_atomically
 from .gradebook import Gradebook
 from .marking import mark_sheets, show
-from .notebook import answer_code
 from .sheets import exercises_of, generate
 
 SECRET = "a demonstration keeps no secrets: its numbers are the same everywhere"  # noqa: S105

@@ -12,6 +12,7 @@ from sqlalchemy import (
     Column,
     ColumnElement,
     Connection,
+    Float,
     Integer,
     MetaData,
     String,
@@ -56,6 +57,28 @@ _current = Table(
     Column("submission", String, nullable=False),
     Column("rules", String, nullable=False),
 )
+_marks = Table(
+    "mark",
+    _metadata,
+    Column("student", String, primary_key=True),
+    Column("sheet", String, primary_key=True),
+    Column("part", String, primary_key=True),
+    Column("points", Float, nullable=False),
+    Column("comment", Text, nullable=False),
+    Column("answer", String, nullable=False),  # a short name of the answer that was read
+)
+
+
+@dataclass(frozen=True)
+class Mark:
+    """What a marker gave by hand for one answer; `answer` names it, so that another answer needs another mark."""
+
+    student: str
+    sheet: str
+    part: str
+    points: float
+    comment: str
+    answer: str
 
 
 @dataclass(frozen=True)
@@ -153,6 +176,20 @@ class Gradebook:
         """An earlier grade counts again; where it already does, nothing is written."""
         with self.transaction() as connection:
             _point_to(connection, key)
+
+    def marks(self, sheet: str) -> dict[tuple[str, str], Mark]:
+        """Marks entered by hand, by student and part."""
+        with self.transaction() as connection:
+            rows = connection.execute(select(_marks).where(_marks.c.sheet == sheet)).mappings().all()
+        return {(row["student"], row["part"]): Mark(**dict(row)) for row in rows}
+
+    def save_marks(self, marks: Sequence[Mark]) -> None:
+        """Enters marks, all or none; an earlier mark of the same part is replaced."""
+        with self.transaction() as connection:
+            for mark in marks:
+                key = {"student": mark.student, "sheet": mark.sheet, "part": mark.part}
+                connection.execute(_marks.delete().where(*_same(_marks, key)))
+                connection.execute(_marks.insert().values(**vars(mark)))
 
     def current(self, sheet: str) -> dict[str, list[Verdict]]:
         """Student to verdicts: what counts now."""

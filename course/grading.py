@@ -11,13 +11,14 @@ from importlib.metadata import version
 from typing import Any
 
 from ..exercises.catalogue import exercise_files
-from ..exercises.exercise import Exercise
+from ..exercises.exercise import Exercise, Manual
 from ..grader.collect import Ask, Limits
 from ..grader.mark import mark
 from ..grader.verdict import Verdict, not_graded
 from ..grader.wire import Raw
 from .config import Course, CourseError, Sheet, Student
 from .gradebook import Gradebook, GradeKey
+from .marks import with_marks
 from .sheets import exercises_of
 from .submissions import Submission, find_submission, misnamed
 from .variant import Record, canonical, digest, fingerprint, moved_parts
@@ -77,6 +78,8 @@ class SheetMarker:
         """
         self.course, self.gradebook, self.sheet, self.again = course, gradebook, sheet, again
         self.exercises = exercises_of(course, sheet)
+        self._parts = {part.variable: part for exercise in self.exercises for part in exercise.asked}
+        self._marks = gradebook.marks(sheet.name)
         self.limits = Limits(**course.settings.limits.model_dump())
         self._files = exercise_files(course.folder / "exercises")
         self._records: dict[str, dict[str, Record]] = {}
@@ -146,9 +149,9 @@ class SheetMarker:
         moved = self._moved[student.id]
         key = GradeKey(student.id, self.sheet.name, digest(submission.data), self._rules(records, moved, submission))
         verdicts = self.gradebook.verdicts(key)
-        if not self.again and verdicts is not None and all(verdict.status != "not_graded" for verdict in verdicts):
+        if not self.again and verdicts is not None and not self._unfinished(verdicts):
             self.gradebook.make_current(key)
-            return Result(student, self.sheet.name, tuple(verdicts))
+            return self._result(student, verdicts)
         return _Work(student, submission, records, moved, key)
 
     def _rules(self, records: dict[str, Record], moved: frozenset[str], submission: Submission) -> str:
@@ -160,14 +163,11 @@ class SheetMarker:
         return digest(canonical(parts).encode())
 
     def _waiting(self, reason: str) -> tuple[Verdict, ...]:
-        return tuple(not_graded(part.variable, part.points, reason) for part in self._parts())
-
-    def _parts(self) -> Iterator[Any]:
-        return (part for exercise in self.exercises for part in exercise.asked)
+        return tuple(not_graded(part.variable, part.points, reason) for part in self._parts.values())
 
     def _collected(self, todo: Sequence[_Work]) -> Generator[tuple[_Work, dict[str, Raw] | Exception]]:
         """Raw values as they come in; notebooks run side by side, each in a process of its own."""
-        asks = [Ask(part.variable) for part in self._parts()]
+        asks = [Ask(name) for name in self._parts]
         with ThreadPoolExecutor(max_workers=os.cpu_count() or 1) as pool:
             futures = {pool.submit(work.submission.raws, asks, self.limits): work for work in todo}
             try:
@@ -187,7 +187,14 @@ class SheetMarker:
             reason = f"the grader failed with {type(error).__name__}; the submission is kept and will be marked again"
             verdicts = [*self._waiting(reason)]
         self.gradebook.save_grade(work.key, verdicts)
-        return Result(work.student, self.sheet.name, tuple(verdicts))
+        return self._result(work.student, verdicts)
+
+    def _unfinished(self, verdicts: Sequence[Verdict]) -> bool:
+        """Whether the grader left something open; what is marked by hand is not its business."""
+        return any(v.points is None and not isinstance(self._parts[v.part].answer, Manual) for v in verdicts)
+
+    def _result(self, student: Student, verdicts: Sequence[Verdict]) -> Result:
+        return Result(student, self.sheet.name, with_marks(verdicts, student.id, self._marks, self._parts))
 
     def _mark_exercise(self, exercise: Exercise, work: _Work, raws: dict[str, Raw]) -> Iterator[Verdict]:
         others = self._others(exercise, work.student)
@@ -223,9 +230,10 @@ def _plain(error: BaseException) -> Exception:
 
 def recorded_results(course: Course, gradebook: Gradebook, sheet: Sheet) -> list[Result]:
     """What the gradebook holds for every student of the roster, without looking at submissions."""
-    current = gradebook.current(sheet.name)
+    current, marks = gradebook.current(sheet.name), gradebook.marks(sheet.name)
+    parts = {part.variable: part for exercise in exercises_of(course, sheet) for part in exercise.asked}
     return [
-        Result(student, sheet.name, tuple(current[student.id]))
+        Result(student, sheet.name, with_marks(current[student.id], student.id, marks, parts))
         if student.id in current
         else Result(student, sheet.name, reason="nothing marked yet")
         for student in course.students

@@ -4,17 +4,16 @@
 import hashlib
 from collections.abc import Iterator, Sequence
 from html import escape
-from importlib.resources import files
 from typing import Any
 
 import nbformat
 import numpy as np
 
 from ..exercises.drawing import Drawing
-from ..exercises.exercise import Exercise, Numbers, Part, Step, TableOf, references
+from ..exercises.exercise import Choice, Exercise, Manual, Numbers, Part, Step, references
 from ..grader.arm import draw
 from ..grader.raster import data_uri, png
-from ..solutions.table import Table
+from .blanks import answer_code, blank, self_check
 from .config import Sheet, Student
 from .escape import no_markup
 from .formulas import closed_form, given_number, matrix
@@ -22,6 +21,7 @@ from .formulas import closed_form, given_number, matrix
 Pair = tuple[Exercise, dict[str, Any]]
 """An exercise and the numbers drawn for the student."""
 WIDTH = 380  # of a figure on the page, in pixels; the PNG has twice as many
+DECIMALS = 4  # of numbers in the worked solution of a part that asks for none
 KEY = "kinegrade"
 SELF_CHECK = "## Self-check\n\nRun this cell at any time. It sees what is there, not whether it is right."
 
@@ -39,7 +39,7 @@ def notebooks(course: str, sheet: Sheet, student: Student, pairs: Sequence[Pair]
     handout += [_markdown(SELF_CHECK), _code(self_check([part for exercise, _ in pairs for part in exercise.asked]))]
     about = {"sheet": sheet.name, "student": student.id, "mode": sheet.mode}
     order = [exercise.slug for exercise, _ in pairs]  # a notebook's keys are sorted when it is written
-    numbers = {exercise.slug: v for exercise, v in pairs}
+    numbers = {exercise.slug: printed(exercise, v) for exercise, v in pairs}
     return (
         _written(handout, about | {"exercises": order, "numbers": numbers}, f"{sheet.name}/{student.id}"),
         _written(solution, about, f"solution/{sheet.name}/{student.id}"),
@@ -49,7 +49,7 @@ def notebooks(course: str, sheet: Sheet, student: Student, pairs: Sequence[Pair]
 def _blanks(exercise: Exercise, *, hints: bool) -> Iterator[Any]:
     for part in exercise.asked:
         yield _markdown(_prompt(part, hints=hints))
-        yield _code(_blank(part), part.variable)
+        yield _code(blank(part), part.variable)
 
 
 def _worked(exercise: Exercise, v: dict[str, Any]) -> Iterator[Any]:
@@ -60,30 +60,25 @@ def _worked(exercise: Exercise, v: dict[str, Any]) -> Iterator[Any]:
         yield _code(answer_code(part, answers[part.variable]), part.variable)
 
 
+def printed(exercise: Exercise, v: dict[str, Any]) -> dict[str, Any]:
+    """The drawn numbers without those that stay with the instructor."""
+    return {name: value for name, value in v.items() if name not in exercise.hidden}
+
+
 def given_cell(exercise: Exercise, v: dict[str, Any]) -> str:
     """Python that sets every printed number under a name of its own, such as rrt_d1."""
     lines = [f"# Your numbers for {exercise.slug}, in metres, radians and seconds. Run this cell, do not change it."]
     for name, unit in exercise.units.items():
         if name in v:
             value = f"np.array({v[name]!r})" if isinstance(v[name], list) else repr(v[name])
-            shown = unit if isinstance(unit, str) else ", ".join(dict.fromkeys(unit))
+            shown = ", ".join(dict.fromkeys(np.array(unit).ravel().tolist()))
             lines.append(f"{exercise.slug}_{name} = {value}  # [{shown}]")
     return "\n".join(lines)
 
 
-def answer_code(part: Part, answer: Any) -> str:
-    """Python that assigns an answer in full, as a student could write it."""
-    if isinstance(answer, Table):
-        rows = ",\n".join(f"    {[str(cell) for cell in row]!r}" for row in answer.rows)
-        return f"{part.variable} = [\n{rows},\n]"
-    rounded = np.round(np.asarray(answer), 9) + 0.0
-    start = f"{part.variable} = np.array("
-    return f"{start}{np.array2string(rounded, precision=9, separator=', ', threshold=10_000, prefix=start)})"
-
-
 def worked_steps(part: Part, v: dict[str, Any], answers: dict[str, Any]) -> Iterator[str]:
     """Markdown of a part's steps, the general formula before the numbers."""
-    decimals = part.answer.decimals
+    decimals = getattr(part.answer, "decimals", DECIMALS)
     for step in part.explain(v, answers) if part.explain else ():
         yield "\n\n".join(text for text in (step.text, *_displayed(step, decimals)) if text)
 
@@ -150,31 +145,24 @@ def _figures(drawings: Sequence[Drawing]) -> tuple[str, ...]:
 
 
 def _prompt(part: Part, *, hints: bool) -> str:
-    asked = f" Give {part.answer.decimals} decimals." if isinstance(part.answer, Numbers) else ""
-    text = f"**`{part.variable}`** ({_points(part.points)}): {part.prompt}.{asked}"
+    blocks = [f"**`{part.variable}`** ({_points(part.points)}): {part.prompt}.{_asked(part)}"]
+    if isinstance(part.answer, Choice):
+        options = zip(part.answer.letters, part.answer.options, strict=True)
+        blocks.append("\n".join(f"- **{letter})** {option}" for letter, option in options))
+    if isinstance(part.answer, Manual):
+        blocks.append("\n".join(f"- {_points(points)}: {text}" for points, text in part.answer.rubric))
     if hints and part.hints:
         listed = "\n".join(f"{i}. {hint}" for i, hint in enumerate(part.hints, 1))
-        text += f"\n\n<details><summary>Hints</summary>\n\n{listed}\n\n</details>"
-    return text
+        blocks.append(f"<details><summary>Hints</summary>\n\n{listed}\n\n</details>")
+    return "\n\n".join(blocks)
 
 
-def _blank(part: Part) -> str:
-    if isinstance(part.answer, TableOf):
-        return f"{part.variable} = ...  # {len(part.answer.kinds)} rows [theta, d, a, alpha]"
-    shape = " x ".join(map(str, part.answer.shape))
-    return f"{part.variable} = ...  # {shape} numbers"
-
-
-def self_check(parts: Sequence[Part]) -> str:
-    """A cell that needs nothing installed: which answers are there, of the right shape and finite."""
-    shapes = {
-        part.variable: (len(part.answer.kinds), 4) if isinstance(part.answer, TableOf) else part.answer.shape
-        for part in parts
-    }
-    tables = [part.variable for part in parts if isinstance(part.answer, TableOf)]
-    listed = "".join(f"    {name!r}: {shape!r},\n" for name, shape in shapes.items())
-    template = files("kinegrade.course").joinpath("templates/self_check.txt").read_text(encoding="utf-8")
-    return template.replace("@SHAPES@", listed.rstrip("\n")).replace("@TABLES@", repr(tables)).rstrip("\n")
+def _asked(part: Part) -> str:
+    if isinstance(part.answer, Numbers) and part.answer.decimals:
+        return f" Give {part.answer.decimals} decimals."
+    if isinstance(part.answer, Manual):
+        return " Marked by hand:"
+    return ""
 
 
 def _markdown(text: str) -> Any:

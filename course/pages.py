@@ -11,7 +11,7 @@ from typing import Any
 from jinja2 import BaseLoader, Environment, Template
 from markupsafe import Markup
 
-from ..exercises.exercise import Exercise, Numbers, Part
+from ..exercises.exercise import Choice, Exercise, Manual, Part
 from ..grader.verdict import STATUS_WORDS, Verdict
 from .config import Course, Sheet
 from .files import write_atomically
@@ -53,9 +53,22 @@ def _part(part: Part, verdict: Verdict) -> dict[str, Any]:
         "points": "–" if verdict.points is None else f"{verdict.points:g}",
         "out_of": f"{verdict.out_of:g}",
         "reading": verdict.reading,
-        "findings": [finding.text for finding in verdict.findings if not finding.private],
+        "findings": [_finding(finding.text) for finding in verdict.findings if not finding.private],
         "matrices": list(_matrices(part, verdict)),
+        "options": [Markup(page_text(text)) for text in part.answer.options]  # noqa: S704 - page_text escapes
+        if isinstance(part.answer, Choice)
+        else [],
+        "text": verdict.answer if isinstance(part.answer, Manual) else None,
+        "rubric": [(f"{points:g}", text) for points, text in part.answer.rubric]
+        if isinstance(part.answer, Manual)
+        else [],
     }
+
+
+def _finding(text: str) -> dict[str, str]:
+    """The sentence, and the typed lines with a caret that may follow it."""
+    sentence, _, typed = text.partition("\n")
+    return {"sentence": sentence, "typed": typed}
 
 
 def _matrices(part: Part, verdict: Verdict) -> list[list[list[dict[str, Any]]]]:
@@ -64,11 +77,13 @@ def _matrices(part: Part, verdict: Verdict) -> list[list[list[dict[str, Any]]]]:
         return []
     answer, right = verdict.answer, verdict.right
     depth = _depth(right)
-    if depth == 1:
-        answer, right = [[x] for x in answer], [[x] for x in right]
-    if depth < 3:
+    if depth == 0:
         answer, right = [answer], [right]
-    decimals = part.answer.decimals if isinstance(part.answer, Numbers) else 0
+    if depth <= 1:
+        answer, right = [[x] for x in answer], [[x] for x in right]
+    if depth <= 2:
+        answer, right = [answer], [right]
+    decimals = getattr(part.answer, "decimals", 0)
     return [
         [
             [

@@ -9,11 +9,14 @@ from rich.box import SIMPLE_HEAD
 from rich.table import Table
 from rich.text import Text
 
-from ..exercises.exercise import Exercise
+from ..exercises.exercise import Exercise, Manual
 from ..grader.verdict import STATUS_WORDS
+from .console import say
 from .escape import no_formula, printable
 from .grading import Result
+from .marks import ByHand
 
+NEWLINE = "\n"  # behind it stands what was typed, with a caret
 MARKS = {"correct": "✓", "partly": "◐", "incorrect": "✗", "missing": "–", "failed": "!", "not_graded": "?"}
 
 
@@ -32,6 +35,17 @@ def terminal_table(results: Sequence[Result], exercises: Sequence[Exercise]) -> 
     return table
 
 
+def show_by_hand(waiting: Sequence[ByHand]) -> None:
+    """Answers that wait for a mark, one after the other, with what to mark them by."""
+    for one in waiting:
+        assert isinstance(one.part.answer, Manual)  # noqa: S101 - only such parts wait
+        answer = printable(one.answer) if one.answer else "(on paper)" if one.part.answer.on_paper else "(nothing)"
+        rubric = "\n".join(f"    {points:g}  {text}" for points, text in one.part.answer.rubric)
+        print(f"{one.student}  {one.part.variable}  {one.part.points:g} points\n  answer: {answer}")  # noqa: T201 - data of a command
+        print(f"  key:    {one.key}\n{rubric}\n")  # noqa: T201 - the same
+    say(f"{len(waiting)} answers wait for a mark." if len(waiting) != 1 else "One answer waits for a mark.")
+
+
 def legend() -> str:
     """What the marks mean."""
     return "   ".join(f"{mark} {STATUS_WORDS[status]}" for status, mark in MARKS.items())  # pyright: ignore[reportArgumentType]
@@ -41,7 +55,10 @@ def points_text(result: Result) -> str:
     """Points of a result, or what stands in their place."""
     if result.points is not None:
         return f"{result.points:g} / {result.out_of:g}"
-    return "not graded" if result.verdicts else "—"
+    if not result.verdicts:
+        return "—"
+    known = [verdict.points for verdict in result.verdicts if verdict.points is not None]
+    return f"{round(sum(known), 2):g} + ? / {result.out_of:g}" if known else "not graded"
 
 
 def remark(result: Result, *, public: bool = False) -> str:
@@ -51,7 +68,7 @@ def remark(result: Result, *, public: bool = False) -> str:
     for verdict in result.verdicts:
         for finding in verdict.findings:
             if not (public and finding.private):
-                return f"{verdict.part}: {finding.text}"
+                return f"{verdict.part}: {finding.text.partition(NEWLINE)[0]}"
     return ""
 
 

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from ..exercises.exercise import Exercise, ExerciseError, references
-from ..solutions.table import Table
+from ..exercises.values import pictured
 
 ATTEMPTS = 1000
 
@@ -53,14 +53,13 @@ def canonical(numbers: Any) -> str:
 
 def fingerprint(exercise: Exercise, numbers: dict[str, Any]) -> dict[str, Any]:
     """Every reference answer as numbers, rounded to 1e-9: it moves when a file, a row or a library changes one."""
-    return {name: _numbers(value, numbers) for name, value in references(exercise, numbers).items()}
-
-
-def _numbers(value: Any, v: dict[str, Any]) -> Any:
-    if isinstance(value, Table):
-        value = value.chain({name: x for name, x in v.items() if isinstance(x, int | float)}).fixed
-    rounded = np.round(np.asarray(value, dtype=float), 9) + 0.0  # no minus zero in the record
-    return rounded.tolist()
+    answers = references(exercise, numbers)
+    pictures = {part.variable: pictured(part.answer, answers[part.variable], numbers) for part in exercise.parts}
+    return {
+        name: (np.round(picture, 9) + 0.0).tolist()  # no minus zero in the record
+        for name, picture in pictures.items()
+        if picture is not None
+    }
 
 
 def moved_parts(record: Record, exercise: Exercise) -> list[str]:

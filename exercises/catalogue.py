@@ -49,12 +49,17 @@ def _run(path: Path, name: str) -> Any:
     return module
 
 
+def defines_exercise(path: Path) -> bool:
+    """Whether a file has a line that starts with EXERCISE; it is not run to find out."""
+    return _DEFINES_EXERCISE.search(path.read_text(encoding="utf-8", errors="replace")) is not None
+
+
 def exercise_files(*folders: Path) -> dict[str, Path]:
     """Slug to file, for ours and for those in `folders`; a course's file replaces ours of the same name."""
     found: dict[str, Path] = {}
     for folder in (Path(__file__).parent, *folders):
         for path in sorted(folder.glob("*.py")):
-            if _DEFINES_EXERCISE.search(path.read_text(encoding="utf-8", errors="replace")):
+            if defines_exercise(path):
                 found[path.stem] = path
     return found
 

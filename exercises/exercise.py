@@ -5,22 +5,57 @@ the variable it is handed in as, the kind of its answer, and how the answer foll
 earlier parts it needs. Sheets, worked solutions, tolerances, marks and feedback are derived from that.
 """
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from keyword import iskeyword
 from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..solutions.errors import KinegradeError
+from .answers import (
+    Answer,
+    Choice,
+    Conditions,
+    Configurations,
+    Formulas,
+    Function,
+    Manual,
+    Numbers,
+    TableOf,
+    Variant,
+)
 from .drawing import Drawing
+from .values import declared
 
-Variant = Mapping[str, Any]
-"""The drawn numbers of one student, as they come back from JSON."""
+__all__ = [
+    "Answer",
+    "Choice",
+    "Conditions",
+    "Configurations",
+    "Credit",
+    "Exercise",
+    "ExerciseError",
+    "Formulas",
+    "Function",
+    "Given",
+    "Manual",
+    "Mistake",
+    "Numbers",
+    "Outcome",
+    "Part",
+    "Step",
+    "TableOf",
+    "Variant",
+    "references",
+    "solve",
+]
+
 Given = Mapping[str, Any]
 """Earlier answers by variable, each of its declared type, whoever gave it: the reference or the student."""
-Credit = Literal["entry", "column", "all"]
+Credit = Literal["entry", "column", "block", "all"]
 
 
 class ExerciseError(KinegradeError):
@@ -28,52 +63,25 @@ class ExerciseError(KinegradeError):
 
 
 @dataclass(frozen=True)
-class Numbers:
-    """A real array. `units` are nested strings that broadcast to `shape`; `decimals` are asked of the student."""
-
-    shape: tuple[int, ...]
-    units: str | Sequence[Any] = "1"
-    decimals: int = 4
-
-    def unit_of_entries(self) -> NDArray[np.str_]:
-        """Units of shape `shape`: "m", "m/rad", "rad/s", "1" ..."""
-        return np.broadcast_to(np.array(self.units), self.shape)
-
-
-@dataclass(frozen=True)
-class TableOf:
-    """A Denavit-Hartenberg table with one row of theta, d, a, alpha per joint of `kinds`, such as "RRP".
-
-    Cells are expressions in `names` and q1 ... qn, or numbers; names that a variant lacks are unknown on its sheet.
-    """
-
-    names: tuple[str, ...]
-    kinds: str
-    convention: Literal["standard", "modified"] = "standard"
-    decimals: int = 3
-
-
-Answer = Numbers | TableOf
-
-
-@dataclass(frozen=True)
 class Outcome:
     """What a part's own `check` found: which entries are right, how the answer was read, and a finding.
 
-    `right` is None where the usual comparison with the reference shall decide.
+    `right` is None where the usual comparison with the reference shall decide. `share` of the points is earned where
+    the right entries alone do not say it.
     """
 
     right: ArrayLike | None = None
     reading: str = ""
     finding: str = ""
+    share: float | None = None
 
 
 @dataclass(frozen=True)
 class Step:
     """One step of a worked solution: text with the general formula, a closed form, then the student's numbers.
 
-    `text` is Markdown with LaTeX between dollar signs; `symbol` is the LaTeX left-hand side of `formula` (sympy) and of
-    `numbers` (an array, printed to the decimals of its part).
+    `text` is Markdown with LaTeX between dollar signs; `symbol` is the LaTeX left-hand side of `formula` (sympy, or
+    formulas) and of `numbers` (an array, printed to the decimals of its part).
     """
 
     text: str
@@ -96,7 +104,8 @@ class Part:
 
     An unasked part (`asked=False`) is an intermediate that is rounded for the tolerance but never printed. `follow` is
     the share of the points for an answer that is right from the student's own, wrong, earlier answers. `credit` says
-    whether marks go to entries, to whole columns, or to the whole answer only. `tolerance` overrides the derived one.
+    whether marks go to entries, to whole columns, to blocks of three rows (linear, angular), or to the whole answer
+    only. `tolerance` overrides the derived one.
     """
 
     variable: str
@@ -120,7 +129,8 @@ class Exercise:
     """One exercise file. `draw(rng)` returns plain numbers; they pass through JSON before anything is computed.
 
     `units` give the unit of every drawn number that is printed (nested like the number itself); what is not listed
-    there is not printed. `scale(v)` is a typical length [m] that linear tolerances are measured against.
+    there is not printed. `hidden` names drawn numbers that stay with the instructor, such as the inputs of a function.
+    `scale(v)` is a typical length [m] that linear tolerances are measured against.
     """
 
     slug: str
@@ -133,6 +143,8 @@ class Exercise:
     scale: Callable[[Variant], float]
     objectives: tuple[str, ...] = ()
     minutes: int = 30
+    difficulty: Literal["easy", "medium", "hard"] = "medium"
+    hidden: tuple[str, ...] = ()
     robot: str | None = None
     drawings: Callable[[Variant], tuple[Drawing, ...]] = field(default=lambda _: ())
 
@@ -143,10 +155,10 @@ class Exercise:
             ExerciseError: a variable that is not unique, a need that is not an earlier part, points that are not
                 positive, or a prompt that is missing.
         """
-        known: set[str] = set()
+        known: dict[str, Part] = {}
         for part in self.parts:
             _check_part(self.slug, part, known)
-            known.add(part.variable)
+            known[part.variable] = part
 
     @property
     def asked(self) -> tuple[Part, ...]:
@@ -159,24 +171,31 @@ class Exercise:
         return sum(part.points for part in self.asked)
 
 
-def _check_part(slug: str, part: Part, known: set[str]) -> None:
+def _check_part(slug: str, part: Part, known: Mapping[str, Part]) -> None:
     name = part.variable
     if not name.isidentifier() or iskeyword(name) or not name.startswith(f"{slug}_"):
         raise ExerciseError(f"exercise {slug}: a variable takes a Python name that starts with {slug}_, got {name!r}")
     if name in known:
         raise ExerciseError(f"exercise {slug}: two parts are called {name}; a sheet collects answers by name")
-    missing = [need for need in part.needs if need not in known]
-    if missing:
-        raise ExerciseError(f"exercise {slug}: {name} needs {missing[0]}, which is not an earlier part")
+    for need in part.needs:
+        if need not in known:
+            raise ExerciseError(f"exercise {slug}: {name} needs {need}, which is not an earlier part")
+        if isinstance(known[need].answer, Function | Manual):
+            raise ExerciseError(f"exercise {slug}: {name} cannot need {need}: nothing can be computed from it")
     if part.asked and not (part.points > 0 and part.prompt):
         raise ExerciseError(f"exercise {slug}: {name} takes a prompt and positive points")
+    if isinstance(part.answer, Configurations) and part.check is None:
+        raise ExerciseError(f"exercise {slug}: {name} asks for configurations, which take a check that judges them")
+    rubric = sum(points for points, _ in part.answer.rubric) if isinstance(part.answer, Manual) else part.points
+    if not math.isclose(rubric, part.points):
+        raise ExerciseError(f"exercise {slug}: {name} has {part.points:g} points, its rubric {rubric:g}")
 
 
 def references(exercise: Exercise, v: Variant) -> dict[str, Any]:
     """Reference answers of all parts, by variable.
 
     Raises:
-        ExerciseError: `solve` returned numbers of another shape than declared, or not finite ones.
+        ExerciseError: `solve` returned something else than declared, such as numbers of another shape.
     """
     given: dict[str, Any] = {}
     for part in exercise.parts:
@@ -186,13 +205,7 @@ def references(exercise: Exercise, v: Variant) -> dict[str, Any]:
 
 def solve(slug: str, part: Part, v: Variant, given: Given) -> Any:
     """The reference answer of one part, checked against its declaration."""
-    value = part.solve(v, given)
-    if not isinstance(part.answer, Numbers):
-        return value
-    array = np.asarray(value, dtype=float)
-    if array.shape != part.answer.shape or not np.isfinite(array).all():
-        raise ExerciseError(
-            f"exercise {slug}: solve of {part.variable} takes finite numbers of shape {part.answer.shape}, "
-            f"got shape {array.shape}{'' if array.shape != part.answer.shape else ' with NaN or infinity'}"
-        )
-    return array
+    try:
+        return declared(part.answer, part.solve(v, given), v)
+    except KinegradeError as error:
+        raise ExerciseError(f"exercise {slug}: solve of {part.variable}: {error}") from error

@@ -1,38 +1,127 @@
 """S3 5.4.2: velocities of the Puma 560 and back.
 
 S3's own numbers are q = (0.1, 0.5, 0.1, 0.8, 0.1, 0.2) and qdot = (1, 1.4, 1.7, 0.2, 0.3, 0.1), with the twist
-(-1.2889, 0.0233, -0.1734, 0.3338, -3.2993, 1.3648). Its question c, "linear velocity along X of 2 m/s", has four
-readings; here the wording fixes one, and a student who answers another is told which it was.
+(-1.2889, 0.0233, -0.1734, 0.3338, -3.2993, 1.3648). Its question c, "linear velocity along X of 2 m/s", has several
+readings; here every sheet has one of three wordings, and a student who answers another reading is told which it was.
 """
 
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..solutions.jacobian import Frame, jacobian
+from ..solutions.jacobian import jacobian
 from ..solutions.robots import ROBOTS
-from ..solutions.velocity import joint_rates
+from ..solutions.velocity import pseudoinverse
 from .drawing import Drawing, Triad
-from .draws import angles, rates
+from .draws import angles, rates, until
 from .exercise import Exercise, Given, Mistake, Numbers, Outcome, Part, Step, Variant
+from .properties import meets
 
 ROBOT = ROBOTS["puma560"]
 CHAIN = ROBOT.chain()
 REGULAR = 0.1  # smallest singular value of J in a drawn posture: rates stay moderate and rounding harmless
+NEAR_SINGULAR = (0.02, 0.06)  # the same where the wrist is nearly straight
+LARGE = 3.0  # the largest rate there is at least [rad/s]
+CLEAR = 0.1  # of the elbow from the straight line between shoulder and wrist centre [m]
+HALF = 0.5e-4  # of the last decimal that is asked
+SLACK = 0.01  # of the asked speed: a velocity this near is meant
 Array = NDArray[np.float64]
 
 
+@dataclass(frozen=True)
+class Wording:
+    """One wording of question (c): how many leading rows of the twist are prescribed, and what the sheet says."""
+
+    rows: int
+    asked: str
+    text: str
+    solution: str
+
+
+LEAST = (
+    r"Of all joint rates that do this, find those of least norm, that is with the smallest "
+    r"$\dot q_1^2 + \cdots + \dot q_6^2$."
+)
+PSEUDOINVERSE = (
+    r"There are more joints than rows; the rates of least norm are $\dot{\mathbf q} = \mathbf J_v^{+} \mathbf v$ with "
+    r"$\mathbf J_v^{+} = \mathbf J_v^{T} (\mathbf J_v \mathbf J_v^{T})^{-1}$ (S3 5.2.1). The tool point lies where the wrist "
+    r"axes meet, so that the wrist cannot move it: columns 4 to 6 of $\mathbf J_v$ are zero, and so are these rates."
+)
+HELD, FREE, ALONE = "orientation held (omega = 0)", "orientation free, least norm", "only vx prescribed, least norm"
+WORDINGS = {
+    HELD: Wording(
+        6,
+        "the whole twist, with zero angular velocity",
+        r"The tool moves along base $x$ with the speed $v_{x,c}$ and its orientation is **held**: the other five components "
+        r"of the twist, $v_y, v_z, \omega_x, \omega_y, \omega_z$, are zero.",
+        r"All six components are prescribed, $\boldsymbol\xi = (v_{x,c}, 0, 0, 0, 0, 0)$, and $\mathbf J$ is square with "
+        r"full rank, so $\dot{\mathbf q} = \mathbf J^{-1} \boldsymbol\xi$.",
+    ),
+    FREE: Wording(
+        3,
+        "the linear velocity in base axes, with least norm",
+        r"The tool point moves along base $x$ with the speed $v_{x,c}$, so that $v_y = v_z = 0$, and its orientation is "
+        rf"**free**: $\omega_x, \omega_y, \omega_z$ are not prescribed. {LEAST}",
+        r"Let $\mathbf J_v$ be the three linear rows of $\mathbf J$ and $\mathbf v = (v_{x,c}, 0, 0)$. "
+        + PSEUDOINVERSE,
+    ),
+    ALONE: Wording(
+        1,
+        "the component vx in base axes, with least norm",
+        rf"**Only** $v_x = v_{{x,c}}$ is prescribed; $v_y, v_z, \omega_x, \omega_y, \omega_z$ are free. {LEAST}",
+        r"Let $\mathbf J_v$ be the first row of $\mathbf J$ alone and $\mathbf v = v_{x,c}$. " + PSEUDOINVERSE,
+    ),
+}
+FAMILIES = {
+    "generic": "",
+    "elbow up": "In your posture the elbow lies above the straight line from the shoulder to the wrist centre.",
+    "elbow down": "In your posture the elbow lies below the straight line from the shoulder to the wrist centre.",
+    "near wrist-singular": "Your posture is close to a wrist singularity, $q_5 = 0$: in (c) large joint rates are right.",
+}
+
+
 def draw(rng: np.random.Generator) -> dict[str, Any]:
-    """A posture away from singular ones, joint rates, and a speed along base x."""
-    while True:
-        q = angles(rng, 6, [(1, 2)])
-        if np.linalg.svd(jacobian(CHAIN, q), compute_uv=False)[-1] >= REGULAR:
-            return {"q": q, "qdot_b": rates(rng, 6), "vx_c": round(float(rng.integers(20, 81)) / 100, 2)}
+    """A wording, a posture of one of four families, joint rates, and a speed along base x."""
+    family = str(rng.choice([*FAMILIES]))
+    # Where only the linear velocity is prescribed the wrist stands still, and rates are never large.
+    wording = HELD if family == "near wrist-singular" else str(rng.choice([*WORDINGS]))
+    speed = round(float(rng.integers(20, 81)) / 100, 2)
+    q = until(lambda: _posture(rng, family), lambda q: _belongs(q, family, speed))
+    return {"q": q, "qdot_b": rates(rng, 6), "vx_c": speed, "wording": wording, "family": family}
+
+
+def _posture(rng: np.random.Generator, family: str) -> list[float]:
+    q = angles(rng, 6, [(1, 2)])
+    if family == "near wrist-singular":
+        q[4] = round(float(rng.choice([-1, 1]) * rng.uniform(0.08, 0.18)), 3)
+    return q
+
+
+def _belongs(q: list[float], family: str, speed: float) -> bool:
+    J = jacobian(CHAIN, q)
+    smallest = np.linalg.svd(J, compute_uv=False)[-1]
+    if family == "near wrist-singular":
+        arm = np.linalg.svd(J[:3, :3], compute_uv=False)[-1]
+        largest = np.abs(np.linalg.solve(J, [speed, 0, 0, 0, 0, 0])).max()
+        return bool(arm >= REGULAR and NEAR_SINGULAR[0] <= smallest <= NEAR_SINGULAR[1] and largest >= LARGE)
+    height = elbow_height(q)
+    side = {"elbow up": height >= CLEAR, "elbow down": height <= -CLEAR}.get(family, True)
+    return bool(smallest >= REGULAR and side)
+
+
+def elbow_height(q: list[float]) -> float:
+    """How far the elbow lies above the line from shoulder to wrist centre [m], in the plane normal to axis 2."""
+    poses = ROBOT.frames({}, q)
+    axis, shoulder, elbow, wrist = poses[1, :3, 2], poses[1, :3, 3], poses[2, :3, 3], poses[4, :3, 3]
+    across = np.eye(3) - np.outer(axis, axis)
+    link, line = across @ (elbow - shoulder), across @ (wrist - shoulder)
+    return float((link - line * (link @ line) / (line @ line))[2])
 
 
 def target(v: Variant) -> Array:
-    """The asked twist [m/s, rad/s]."""
+    """The twist with the asked speed and zeros [m/s, rad/s]; the wording says which rows of it are prescribed."""
     return np.array([v["vx_c"], 0.0, 0.0, 0.0, 0.0, 0.0])
 
 
@@ -46,24 +135,62 @@ def twist(v: Variant, given: Given) -> Array:
 
 
 def rates_for_speed(v: Variant, given: Given) -> Array:
-    J: Array = given["puma_velocities_J"]
-    return np.asarray(np.linalg.solve(J, target(v)), dtype=np.float64)
+    return _rates(*_prescribed(v, given))
 
 
-READINGS: tuple[tuple[str, slice, Frame], ...] = (
-    ("the linear velocity only, with least norm; the sheet asks for zero angular velocity too", slice(0, 3), "base"),
-    ("the x component only, with least norm; the sheet asks for five components to be zero", slice(0, 1), "base"),
-    ("a velocity along the x axis of the tool; the sheet asks for base x", slice(None), "tool"),
-    ("the linear velocity only, along the x axis of the tool; the sheet asks for base x", slice(0, 3), "tool"),
+def transposed_for_inverse(v: Variant, given: Given) -> Array:
+    J, velocity = _prescribed(v, given)
+    return J.T @ velocity
+
+
+def _prescribed(v: Variant, given: Given) -> tuple[Array, Array]:
+    """The rows of J and of the twist that the wording prescribes."""
+    rows = WORDINGS[v["wording"]].rows
+    return given["puma_velocities_J"][:rows], target(v)[:rows]
+
+
+def _rates(J: Array, velocity: Array) -> Array:
+    """The rates that are unique, or those of least norm."""
+    if len(J) == 6:
+        return np.asarray(np.linalg.solve(J, velocity), dtype=np.float64)
+    return pseudoinverse(J) @ velocity
+
+
+READINGS = (  # the strictest first: each is met by whoever meets one above it in the same axes
+    ("the whole twist, with zero angular velocity", 6, "base"),
+    ("the whole twist along the x axis of the tool", 6, "tool"),
+    ("the linear velocity only", 3, "base"),
+    ("the linear velocity only, along the x axis of the tool", 3, "tool"),
+    ("the x component only", 1, "base"),
+    ("the x component only, along the x axis of the tool", 1, "tool"),
 )
 
 
-def named_reading(v: Variant, _: Given, value: Array) -> Outcome:
-    """Names the reading of the question that another answer meets; right and wrong stay with the tolerance."""
-    for words, rows, frame in READINGS:
-        other = joint_rates(CHAIN, v["q"], target(v)[rows], rows=rows, frame=frame)
-        if np.abs(other - value).max() <= 1e-2:
-            return Outcome(reading=f"This meets {words}.")
+def judged_rates(v: Variant, given: Given, value: Array) -> Outcome:
+    """Right by the velocity that is reached where the rates are unique; else the reading of the question is named.
+
+    Half of the points go to rates that have the asked linear velocity and not the least norm.
+    """
+    J: Array = given["puma_velocities_J"]
+    asked, allowed = WORDINGS[v["wording"]], SLACK * v["vx_c"]
+    rounding = 1.5 * HALF * (np.abs(J).sum(axis=1) + np.abs(value).sum())
+    if asked.rows == 6 and meets(J, value, target(v), np.minimum(rounding, allowed)):
+        return Outcome(right=np.ones(6, dtype=bool))
+    R = ROBOT.frames({}, v["q"])[-1, :3, :3]
+    in_axes = {"base": J, "tool": np.concatenate([R.T @ J[:3], R.T @ J[3:]])}
+    for words, rows, axes in READINGS:
+        reached, wanted = in_axes[axes][:rows], target(v)[:rows]
+        if not meets(reached, value, wanted, allowed):
+            continue
+        least = _rates(reached, wanted)
+        is_least = bool(np.abs(value - least).max() <= SLACK * max(1.0, np.abs(least).max()))
+        as_asked = axes == "base" and rows == asked.rows
+        if as_asked and (is_least or rows == 6):
+            return Outcome()  # how near the rates are is left to the tolerance
+        norm = ", with least norm" if is_least and rows < 6 else ""
+        asks = "the rates of least norm" if as_asked else asked.asked
+        share = 0.5 if axes == "base" and rows >= max(asked.rows, 3) else None  # one component is met by chance
+        return Outcome(reading=f"This meets {words}{norm}; the sheet asks for {asks}.", share=share)
     return Outcome()
 
 
@@ -117,13 +244,11 @@ def explain_twist(v: Variant, given: Given) -> list[Step]:
 
 def explain_rates(v: Variant, given: Given) -> list[Step]:
     smallest = float(np.linalg.svd(given["puma_velocities_J"], compute_uv=False)[-1])
+    size = rf" The smallest singular value of $\mathbf J$ is {smallest:.3f}"
+    size += ": the wrist is nearly straight, and large rates are right." if smallest < REGULAR else "."
     return [
-        Step(
-            r"All six components are prescribed, $\boldsymbol\xi = (v_x, 0, 0, 0, 0, 0)$, and $\mathbf J$ is square with full "
-            rf"rank (its smallest singular value is {smallest:.3f}), so $\dot{{\mathbf q}} = \mathbf J^{{-1}} \boldsymbol\xi$:",
-            r"\dot{\mathbf q}",
-            numbers=given["puma_velocities_qdot"],
-        )
+        Step(WORDINGS[v["wording"]].solution + size),
+        Step("With your numbers:", r"\dot{\mathbf q}", numbers=given["puma_velocities_qdot"]),
     ]
 
 
@@ -141,7 +266,7 @@ def drawings(v: Variant) -> tuple[Drawing, ...]:
     )
 
 
-def statement(_: Variant) -> str:
+def statement(v: Variant) -> str:
     rows = "\n".join(
         f"| {i} | " + " | ".join(f"${cell}$" for cell in row) + " |" for i, row in enumerate(_latex_rows(), 1)
     )
@@ -151,7 +276,10 @@ def statement(_: Variant) -> str:
 |:-:|:-:|:-:|:-:|:-:|
 {rows}
 
-The tool frame is frame 6. All velocities are those of its origin and are expressed in the base frame 0."""
+The tool frame is frame 6. All velocities are those of its origin and are expressed in the base frame 0.
+{FAMILIES[v["family"]]}
+
+For (c): {WORDINGS[v["wording"]].text}"""
 
 
 def _latex_rows() -> list[list[str]]:
@@ -201,21 +329,33 @@ EXERCISE = Exercise(
             Numbers((6,), ["m/s"] * 3 + ["rad/s"] * 3),
             twist,
             needs=("puma_velocities_J",),
+            mistakes=(
+                Mistake(
+                    "This is J transposed times the joint rates; joint rates are weights of the columns of J.",
+                    lambda v, given: given["puma_velocities_J"].T @ np.array(v["qdot_b"]),
+                ),
+            ),
             hints=("One matrix times one vector.",),
             explain=explain_twist,
         ),
         Part(
             "puma_velocities_qdot",
-            r"(c) The joint rates $\dot{\mathbf q}$ for which the tool moves along base $x$ with the speed $v_{x,c}$ while the other "
-            r"five components of the twist, $v_y, v_z, \omega_x, \omega_y, \omega_z$, are zero",
+            r"(c) The joint rates $\dot{\mathbf q}$ for the motion that is described under (c) above, with the speed $v_{x,c}$",
             3,
             Numbers((6,), "rad/s"),
             rates_for_speed,
             needs=("puma_velocities_J",),
-            check=named_reading,
+            check=judged_rates,
+            mistakes=(
+                Mistake(
+                    "These come from J transposed in place of its inverse or pseudoinverse; put them into J and look at "
+                    "the velocity they give.",
+                    transposed_for_inverse,
+                ),
+            ),
             hints=(
-                "The whole twist is prescribed, not only its linear part.",
-                "Is the Jacobian square and regular here?",
+                "Which rows of the twist are prescribed? Only these rows of J take part.",
+                "Are there as many prescribed rows as joints, or fewer?",
             ),
             explain=explain_rates,
         ),

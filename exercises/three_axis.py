@@ -5,23 +5,63 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..solutions.expression import parse
+from ..solutions.jacobian import jacobian
 from ..solutions.robots import ROBOTS
 from .drawing import Dimension, Drawing, Triad, point
-from .draws import angles, length
-from .exercise import Exercise, Given, Numbers, Part, Step, Variant
+from .draws import angles, length, until
+from .exercise import Choice, Exercise, Given, Mistake, Numbers, Part, Step, Variant
 
 ROBOT = ROBOTS["three_axis"]
 Array = NDArray[np.float64]
+WISHES: tuple[tuple[str, tuple[int, ...]], ...] = (
+    (r"the whole $d\mathbf p$, and no rotation at all: $d\mathbf w = 0$", (0, 1, 2, 3, 4, 5)),
+    (r"the whole $d\mathbf p$, and no rotation about base $z$: $dw_z = 0$", (0, 1, 2, 5)),
+    (r"only the height $dp_z$ of $d\mathbf p$, and no rotation at all: $d\mathbf w = 0$", (2, 3, 4, 5)),
+    (r"only the height $dp_z$ of $d\mathbf p$, and $dw_x = dw_z = 0$", (2, 3, 5)),
+    (r"only the height $dp_z$ of $d\mathbf p$, and no rotation about base $z$: $dw_z = 0$", (2, 5)),
+    (r"no rotation at all, $d\mathbf w = 0$; the displacement is free", (3, 4, 5)),
+)
+"""What else may be wished of dq, with the rows of J dq = (dp, 0) that say it."""
+CONTRADICTION = 0.02  # of what is wished: a residual this large is no rounding
 
 
 def draw(rng: np.random.Generator) -> dict[str, Any]:
-    """Lengths and a posture away from the stretched arm and from the axis of joint 1."""
-    while True:
-        v: dict[str, Any] = {"L": length(rng), "a2": length(rng), "a3": length(rng), "q": angles(rng, 3, [(1, 2)])}
-        _, q2, q3 = v["q"]
-        radius = v["a3"] * np.cos(q2 + q3) - v["a2"] * np.sin(q2)
-        if abs(np.cos(q3)) > 0.3 and abs(radius) > 0.2:
-            return v
+    """An arm away from its singular postures, a displacement that its first order meets to a few per cent, a wish."""
+    v: dict[str, Any] = until(lambda: _arm(rng), _is_regular)
+    v["dp"] = until(lambda: _displacement(rng), lambda dp: _is_telling({**v, "dp": dp}))
+    return v | {"wish": int(rng.integers(len(WISHES)))}
+
+
+def _arm(rng: np.random.Generator) -> dict[str, Any]:
+    return {"L": length(rng), "a2": length(rng), "a3": length(rng), "q": angles(rng, 3, [(1, 2)])}
+
+
+def _is_regular(v: Variant) -> bool:
+    _, q2, q3 = v["q"]
+    radius = v["a3"] * np.cos(q2 + q3) - v["a2"] * np.sin(q2)
+    return bool(abs(np.cos(q3)) > 0.3 and abs(radius) > 0.2)
+
+
+def _displacement(rng: np.random.Generator) -> list[float]:
+    """Three components [m] with three decimals, |dp| about 0.02."""
+    sizes = rng.integers(6, 19, 3) * rng.choice([-1, 1], 3)
+    return [round(float(x) / 1000, 3) for x in sizes]
+
+
+def _is_telling(v: Variant) -> bool:
+    """Whether dq is small, joint 1 and the sum of the others take part, and every component of the error shows."""
+    A = jacobian(ROBOT.chain(lengths(v)), v["q"])[:3]
+    dq: Array = np.asarray(np.linalg.solve(A, v["dp"]), dtype=np.float64)
+    missed = np.abs(_missed(v, dq))
+    turns = np.array([*dq, dq[1] + dq[2]])
+    return bool(
+        0.018 <= np.linalg.norm(v["dp"]) <= 0.024
+        and np.abs(dq).max() <= 0.15
+        and np.abs(turns).min() >= 0.002
+        and missed.min() >= 2e-5
+        and np.linalg.norm(missed) <= 0.004
+    )
 
 
 def lengths(v: Variant) -> dict[str, float]:
@@ -54,6 +94,58 @@ def angular(_: Variant, given: Given) -> Array:
 
 def stacked(_: Variant, given: Given) -> Array:
     return np.concatenate([given["three_axis_A"], given["three_axis_B"]])
+
+
+def wished(v: Variant) -> Array:
+    """The displacement dp [m]; S0's own example, and sheets handed out before it was asked, have none of their own."""
+    return np.array(v.get("dp", (0.01, 0.012, -0.013)))
+
+
+def displacement(v: Variant, given: Given) -> Array:
+    return np.asarray(np.linalg.solve(given["three_axis_A"], wished(v)), dtype=np.float64)
+
+
+def rotation(_: Variant, given: Given) -> Array:
+    B: Array = given["three_axis_B"]
+    dq: Array = given["three_axis_dq"]
+    return B @ dq
+
+
+def tool_point(v: Variant, q: Any) -> Array:
+    return ROBOT.frames(lengths(v), q)[-1, :3, 3]
+
+
+def error(v: Variant, given: Given) -> Array:
+    return _missed(v, given["three_axis_dq"])
+
+
+def _missed(v: Variant, dq: Array) -> Array:
+    return tool_point(v, np.array(v["q"]) + dq) - tool_point(v, v["q"]) - wished(v)
+
+
+def wish(v: Variant) -> tuple[str, tuple[int, ...]]:
+    return WISHES[v.get("wish", 0)]
+
+
+def number_of_solutions(v: Variant, given: Given) -> str:
+    """Letter of none, one or infinitely many: by the rank, and by what is left over at the best dq."""
+    rows = [*wish(v)[1]]
+    J: Array = given["three_axis_J"][rows]
+    du = np.concatenate([wished(v), np.zeros(3)])[rows]
+    dq, _, rank, _ = np.linalg.lstsq(J, du, rcond=CONTRADICTION)
+    if np.linalg.norm(J @ dq - du) > CONTRADICTION * np.linalg.norm(wished(v)):
+        return "a"
+    return "b" if rank == 3 else "c"
+
+
+def in_tool_axes(v: Variant, given: Given) -> Array:
+    return frames(v)[-1, :3, :3].T @ rotation(v, given)
+
+
+def with_no_rotation(v: Variant, given: Given) -> Array:
+    """The least-squares answer to J dq = (dp, 0)."""
+    J = np.concatenate([given["three_axis_A"], axes(v, given)])
+    return np.asarray(np.linalg.lstsq(J, np.concatenate([wished(v), np.zeros(3)]))[0], dtype=np.float64)
 
 
 def explain_origins(v: Variant, given: Given) -> list[Step]:
@@ -122,6 +214,62 @@ def explain_stacked(v: Variant, given: Given) -> list[Step]:
     ]
 
 
+def explain_displacement(v: Variant, given: Given) -> list[Step]:
+    size = float(np.linalg.det(given["three_axis_A"]))
+    return [
+        Step(
+            r"$\mathbf A$ is square, and regular at your $\mathbf q$: its determinant is the product below, for you "
+            rf"{size:.3f}. So $d\mathbf q = \mathbf A^{{-1}} d\mathbf p$ is the only solution of "
+            r"$\mathbf A\,d\mathbf q = d\mathbf p$.",
+            r"\det \mathbf A",
+            parse(ROBOT.determinant, ROBOT.names).sympy(),
+        ),
+        Step("With your numbers:", r"d\mathbf q", numbers=given["three_axis_dq"]),
+    ]
+
+
+def explain_rotation(v: Variant, given: Given) -> list[Step]:
+    return [
+        Step(
+            r"The tool cannot keep its orientation: with $d\mathbf q$ comes the rotation $d\mathbf w = \mathbf B\,d\mathbf q "
+            r"= \mathbf z^1 dq_1 + \mathbf z^2 (dq_2 + dq_3)$ (S0, eq. 4.9). With your numbers:",
+            r"d\mathbf w",
+            numbers=given["three_axis_dw"],
+        )
+    ]
+
+
+def explain_error(v: Variant, given: Given) -> list[Step]:
+    return [
+        Step(
+            r"Multiply the transforms once more at $\mathbf q + d\mathbf q$. S0 prints eq. 4.7 with an equals sign, but it "
+            r"holds to first order: what is missed grows with the square of $d\mathbf q$. With your numbers:",
+            r"\mathbf p^{tool}(\mathbf q + d\mathbf q) - \mathbf p^{tool}(\mathbf q) - d\mathbf p",
+            numbers=given["three_axis_error"],
+        )
+    ]
+
+
+def explain_number(v: Variant, given: Given) -> list[Step]:
+    rows = [*wish(v)[1]]
+    rank = int(np.linalg.matrix_rank(given["three_axis_J"][rows]))
+    found = {"a": "no solution", "b": "exactly one solution", "c": "infinitely many solutions"}[
+        number_of_solutions(v, given)
+    ]
+    return [
+        Step(
+            r"$\mathbf J\,d\mathbf q = d\mathbf u$ (S0, eq. 4.13) is six equations for three unknowns: a general "
+            r"$d\mathbf u$ contradicts itself, because three numbers $dq_i$ cannot meet six. Count only the rows that are "
+            r"wished. They have a solution exactly when writing $d\mathbf u$ beside them as one more column does not raise "
+            r"their rank; it is the only one when the rank is 3, the number of joints."
+        ),
+        Step(
+            f"Your wish takes {len(rows)} rows of rank {rank}, and has {found}. Joints 2 and 3 turn about one direction, "
+            r"so that $d\mathbf w = 0$ says just $dq_1 = 0$ and $dq_2 = -dq_3$."
+        ),
+    ]
+
+
 def drawings(v: Variant) -> tuple[Drawing, ...]:
     poses = frames(v)
     foot, shoulder, elbow, hand = np.zeros(3), *(pose[:3, 3] for pose in poses[1:])
@@ -141,17 +289,20 @@ def drawings(v: Variant) -> tuple[Drawing, ...]:
     )
 
 
-def statement(_: Variant) -> str:
-    return r"""All three joints of this robot are revolute. Frame $i$ sits on the axis of joint $i$, with
-$\mathbf z^{i}$ along the axis:
+def statement(v: Variant) -> str:
+    return rf"""All three joints of this robot are revolute. Frame $i$ sits on the axis of joint $i$, with
+$\mathbf z^{{i}}$ along the axis:
 
-$$\mathbf T_{base}^{1} = T_z(L)\,R_z(q_1), \quad \mathbf T_1^2 = R_x(90°)\,R_z(q_2), \quad
-\mathbf T_2^3 = T_y(a_2)\,R_z(q_3), \quad \mathbf T_3^{tool} = T_x(a_3).$$
+$$\mathbf T_{{base}}^{{1}} = T_z(L)\,R_z(q_1), \quad \mathbf T_1^2 = R_x(90°)\,R_z(q_2), \quad
+\mathbf T_2^3 = T_y(a_2)\,R_z(q_3), \quad \mathbf T_3^{{tool}} = T_x(a_3).$$
 
 $T_x, T_y, T_z$ move along and $R_x, R_z$ turn about an axis of the current frame. Give all vectors in the base frame.
 
 For a small joint displacement $d\mathbf q$ the tool point moves by $d\mathbf p = \mathbf A\,d\mathbf q$ and the tool frame turns by
-$d\mathbf w = \mathbf B\,d\mathbf q$; the Jacobian $\mathbf J$ stacks $\mathbf A$ above $\mathbf B$."""
+$d\mathbf w = \mathbf B\,d\mathbf q$; the Jacobian $\mathbf J$ stacks $\mathbf A$ above $\mathbf B$.
+
+The wished displacement of the tool point is $d\mathbf p$, printed below as dp. In the last question something else is wished
+of $d\mathbf q$: {wish(v)[0]}."""
 
 
 EXERCISE = Exercise(
@@ -160,13 +311,14 @@ EXERCISE = Exercise(
     source="S0 4.3.1",
     draw=draw,
     statement=statement,
-    units={"L": "m", "a2": "m", "a3": "m", "q": ["rad", "rad", "rad"]},
+    units={"L": "m", "a2": "m", "a3": "m", "q": ["rad", "rad", "rad"], "dp": ["m", "m", "m"]},
     scale=lambda v: v["L"] + v["a2"] + v["a3"],
     objectives=(
         "Find origins and joint axes of frames by multiplying transforms.",
         "Build the Jacobian column by column from axes and origins.",
+        "Find the joint displacement for a small displacement of the tool point, and see what comes along and what is missed.",
     ),
-    minutes=35,
+    minutes=55,
     robot="three_axis",
     drawings=drawings,
     parts=(
@@ -221,6 +373,81 @@ EXERCISE = Exercise(
             needs=("three_axis_A", "three_axis_B"),
             hints=("Nothing is left to compute.",),
             explain=explain_stacked,
+        ),
+        Part(
+            "three_axis_dq",
+            r"The joint displacement $d\mathbf q$ with $\mathbf A\,d\mathbf q = d\mathbf p$ for your $d\mathbf p$, whatever rotation comes along",
+            2,
+            Numbers((3,), "rad", decimals=5),
+            displacement,
+            needs=("three_axis_A",),
+            mistakes=(
+                Mistake(
+                    "The transposed block is no inverse: a linear system is to be solved.",
+                    lambda v, given: given["three_axis_A"].T @ wished(v),
+                ),
+                Mistake(
+                    "The displacement of the tool point is multiplied by A; which side of A dq = dp is known?",
+                    lambda v, given: given["three_axis_A"] @ wished(v),
+                ),
+                Mistake(
+                    "This is a least-squares answer with all six rows and dw = 0; here the rotation is free.",
+                    with_no_rotation,
+                ),
+            ),
+            hints=("Three equations for three unknowns.", "The rotation of the tool is not prescribed."),
+            explain=explain_displacement,
+        ),
+        Part(
+            "three_axis_dw",
+            r"The rotation $d\mathbf w = \mathbf B\,d\mathbf q$ that comes along with it",
+            1,
+            Numbers((3,), "rad", decimals=5),
+            rotation,
+            needs=("three_axis_B", "three_axis_dq"),
+            mistakes=(
+                Mistake(
+                    "Rows and columns of B are exchanged: its columns are the joint axes.",
+                    lambda _, given: given["three_axis_B"].T @ given["three_axis_dq"],
+                ),
+                Mistake("This is the rotation in the axes of the tool frame; base axes are asked.", in_tool_axes),
+            ),
+            hints=("Every joint turns the tool about its own axis; small rotations add.",),
+            explain=explain_rotation,
+        ),
+        Part(
+            "three_axis_error",
+            r"How far first order misses: $\mathbf p^{tool}(\mathbf q + d\mathbf q) - \mathbf p^{tool}(\mathbf q) - d\mathbf p$ with the "
+            r"true tool point of both postures, in metres, from $d\mathbf q$ with all its digits",
+            2,
+            Numbers((3,), "m", decimals=6),
+            error,
+            needs=("three_axis_dq",),
+            mistakes=(
+                Mistake(
+                    "This is the true displacement itself; how far is it from the wished one?",
+                    lambda v, given: error(v, given) + wished(v),
+                ),
+                Mistake(
+                    "A dq - dp is zero because dq solves it; the true tool point at q + dq is asked.",
+                    lambda _, __: np.zeros(3),
+                ),
+            ),
+            hints=("Compute the tool point a second time, at the new angles.", "Expect well under a few millimetres."),
+            explain=explain_error,
+        ),
+        Part(
+            "three_axis_solutions",
+            r"How many $d\mathbf q$ meet the rows of $\mathbf J\,d\mathbf q = d\mathbf u$ that are wished in the last lines of the text above",
+            1,
+            Choice(("none: the equations contradict each other", "exactly one", "infinitely many")),
+            number_of_solutions,
+            needs=("three_axis_J",),
+            hints=(
+                "Which joint displacements leave the orientation as it is?",
+                "More equations than unknowns may still agree; compare ranks.",
+            ),
+            explain=explain_number,
         ),
     ),
 )

@@ -1,14 +1,19 @@
 """Known ways to present or compute a right answer wrongly, as a table: what it does, and the sentence that names it."""
 
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..exercises.exercise import Exercise, Numbers, Part, Variant, references
-from .tolerance import tolerance
+from ..exercises.answers import Formulas, Numbers, Variant
+from ..exercises.exercise import Mistake, Part, references
+from ..exercises.values import declared, names_on_sheet
+from ..solutions.expression import Expression
+from ..solutions.expression_array import POINTS, SAME, ExpressionArray, same_formulas, sample
+from .answer_key import AnswerKey, Mask, Wanted
+from .compare import compare
 from .verdict import Finding
 
 Array = NDArray[np.float64]
@@ -24,7 +29,7 @@ class Presentation:
 
 
 def _swapped_blocks(J: Array) -> Array | None:
-    return np.concatenate([J[3:], J[:3]]) if J.shape[0] == 6 else None
+    return np.concatenate([J[3:], J[:3]]) if J.shape[:1] == (6,) else None
 
 
 def _transposed(J: Array) -> Array | None:
@@ -42,53 +47,101 @@ PRESENTATIONS = (
 
 
 MILLIMETRES = "Lengths are 1000 times too large: metres are asked, not millimetres."
+CENTIMETRES = "Lengths are 100 times too large: metres are asked, not centimetres."
+DEGREES = "Angles are in degrees: radians are asked."
+NUMBERS_PUT_IN = 5e-3  # numbers of a sheet have two or three decimals
 
 
-def presentation(answer: Numbers, value: Array, reference: Array, allowed: Array) -> Presentation | None:
-    """The first known presentation of `reference` that a value agrees with."""
-    lengths = np.char.startswith(answer.unit_of_entries(), "m")
-    in_millimetres = Presentation(lambda J: np.where(lengths, 1000.0, 1.0) * J, MILLIMETRES, worthless=True)
-    for known in (*PRESENTATIONS, in_millimetres):
-        seen = known.of(reference)
-        if seen is not None and _agree(value, seen, allowed):
+def presentation(key: AnswerKey, part: Part, wanted: Wanted, value: Any) -> Presentation | None:
+    """The first known presentation of the reference that an answer of numbers or formulas agrees with."""
+    answer = part.answer
+    if isinstance(answer, Numbers):
+        lengths = np.char.startswith(answer.unit_of_entries(), "m")
+        angles = np.char.startswith(answer.unit_of_entries(), "rad")
+        scaled = (
+            Presentation(lambda J: np.where(lengths, 1000.0, 1.0) * J, MILLIMETRES, worthless=True),
+            Presentation(lambda J: np.where(lengths, 100.0, 1.0) * J, CENTIMETRES, worthless=True),
+            Presentation(lambda J: np.where(angles, 180 / np.pi, 1.0) * J, DEGREES, worthless=True),
+        )
+        pairs = [(value, wanted.value, wanted.allowed)]
+    elif isinstance(answer, Formulas):
+        values = sample(names_on_sheet(answer.names, key.v), POINTS)
+        shape = (POINTS, *answer.shape)
+        own, reference = (np.broadcast_to(x.at(values), shape) for x in (value, wanted.value))
+        scaled = ()
+        pairs = [(a, b, SAME * np.maximum(1.0, np.abs(b))) for a, b in zip(own, reference, strict=True)]
+    else:
+        return None
+    for known in (*PRESENTATIONS, *scaled):
+        if all(_agree(own, known.of(reference), allowed) for own, reference, allowed in pairs):
             return known
     return None
 
 
-def _agree(value: Array, seen: Array, allowed: Array) -> bool:
-    return seen.shape == value.shape and bool((np.abs(value - seen) <= allowed).all())
+def _agree(value: Array, seen: Array | None, allowed: Array) -> bool:
+    return seen is not None and seen.shape == value.shape and bool((np.abs(value - seen) <= allowed).all())
 
 
-def findings(
-    exercise: Exercise, part: Part, v: Variant, given: Mapping[str, Any], value: Any, right: Any
-) -> Iterator[Finding]:
-    """Sentences for a readable but wrong answer of numbers, the surest first."""
-    if not isinstance(part.answer, Numbers):
-        return
-    reference = np.asarray(part.solve(v, given), dtype=float)
-    allowed = tolerance(exercise.slug, part, v, given, exercise.scale(v))
-    known = presentation(part.answer, value, reference, allowed)
+def findings(key: AnswerKey, part: Part, wanted: Wanted, value: Any, right: Any) -> Iterator[Finding]:
+    """Sentences for a readable but wrong answer, the surest first."""
+    known = presentation(key, part, wanted, value)
     if known:
         yield Finding(known.sentence)
         return
     for mistake in part.mistakes:
-        if _agree(value, np.asarray(mistake.solve(v, given), dtype=float), allowed):
+        if _meets(key, part, wanted, value, mistake):
             yield Finding(mistake.sentence)
             return
-    if _in_degrees(exercise, part, v, value, allowed):
+    if type(part.answer) in _FINDINGS:
+        yield from _FINDINGS[type(part.answer)](key, part, wanted, value, np.asarray(right, dtype=bool))
+
+
+def _meets(key: AnswerKey, part: Part, wanted: Wanted, value: Any, mistake: Mistake) -> bool:
+    led_to = declared(part.answer, mistake.solve(key.v, wanted.given), key.v)
+    return compare(key, part, replace(wanted, value=led_to), value).all_right
+
+
+def _of_numbers(key: AnswerKey, part: Part, wanted: Wanted, value: Array, right: Mask) -> Iterator[Finding]:
+    assert isinstance(part.answer, Numbers)  # noqa: S101 - chosen by this type
+    if _in_degrees(key, part, value, wanted.allowed):
         yield Finding("It is what comes out when the angles of q, given in radians, are taken as degrees.")
-        return
-    if _too_few_decimals(part.answer, reference, value):
+    elif _too_few_decimals(part.answer, wanted.value, value):
         yield Finding(f"It agrees after rounding to fewer decimals; {part.answer.decimals} are asked.")
-        return
-    yield from _signs(reference, value, allowed, np.asarray(right, dtype=bool))
+    else:
+        yield from _signs(wanted.value, value, wanted.allowed, right)
 
 
-def _in_degrees(exercise: Exercise, part: Part, v: Variant, value: Array, allowed: Array) -> bool:
+def _of_formulas(key: AnswerKey, part: Part, wanted: Wanted, value: ExpressionArray, right: Mask) -> Iterator[Finding]:
+    assert isinstance(part.answer, Formulas)  # noqa: S101 - chosen by this type
+    own = own_numbers(key.v)
+    if set(own) >= wanted.value.names | value.names and not value.names >= wanted.value.names:
+        difference = np.abs(value.at(own) - wanted.value.at(own))
+        if (difference <= NUMBERS_PUT_IN).all():
+            missing = ", ".join(sorted(wanted.value.names - value.names))
+            yield Finding(f"With your numbers put in it is right, but formulas are asked: they take {missing}.")
+            return
+    names = names_on_sheet(part.answer.names, key.v)
+    flipped = same_formulas(_negated(value), wanted.value, names) & ~right
+    yield from _flipped(flipped, ~right)
+
+
+def own_numbers(v: Variant) -> dict[str, float]:
+    """Values of all names of a sheet, joints included."""
+    joints = {f"q{i}": float(x) for i, x in enumerate(v.get("q", ()), 1)}
+    return {**{name: float(x) for name, x in v.items() if isinstance(x, int | float)}, **joints}
+
+
+def _negated(value: ExpressionArray) -> ExpressionArray:
+    negated = (Expression((*entry.nodes, ("neg", len(entry.nodes) - 1))) for entry in value.entries)
+    return ExpressionArray(tuple(negated), value.shape)
+
+
+def _in_degrees(key: AnswerKey, part: Part, value: Array, allowed: Array) -> bool:
+    exercise, v = key.exercise, key.v
     converted = dict(v)
     for name, unit in exercise.units.items():
         units = np.array(unit)
-        if (units == "rad").any():
+        if name in v and (units == "rad").any():
             numbers = np.asarray(v[name], dtype=float)
             converted[name] = np.where(units == "rad", np.radians(numbers), numbers).tolist()
     try:
@@ -107,16 +160,23 @@ def _too_few_decimals(answer: Numbers, reference: Array, value: Array) -> bool:
 
 
 def _signs(reference: Array, value: Array, allowed: Array, right: NDArray[np.bool_]) -> Iterator[Finding]:
-    wrong = ~right
-    flipped = wrong & (np.abs(value + reference) <= allowed)
+    yield from _flipped(~right & (np.abs(value + reference) <= allowed), ~right)
+
+
+def _flipped(flipped: NDArray[np.bool_], wrong: NDArray[np.bool_]) -> Iterator[Finding]:
     if flipped.any() and (flipped == wrong).all() and wrong.sum() <= max(3, wrong.size // 4):
         places = ", ".join(_place(where) for where in np.argwhere(flipped)[:3])
-        yield Finding(f"Only a sign is wrong: {places}.")
+        yield Finding(f"Only a sign is wrong{f': {places}' if places else ''}.")
 
 
 def _place(where: NDArray[np.intp]) -> str:
     numbers = [int(i) + 1 for i in where]
+    if not numbers:
+        return ""
     if len(numbers) == 1:
         return f"entry {numbers[0]}"
     matrix = f"matrix {numbers[0]}, " if len(numbers) == 3 else ""
     return f"{matrix}row {numbers[-2]}, column {numbers[-1]}"
+
+
+_FINDINGS: dict[type, Callable[..., Iterator[Finding]]] = {Numbers: _of_numbers, Formulas: _of_formulas}

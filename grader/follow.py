@@ -1,13 +1,12 @@
 """When may an answer be judged from the student's own earlier answers? Not from copied, guessed or easier data."""
 
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..exercises.exercise import Numbers, Part
-from ..solutions.table import Table
 from .verdict import Verdict
 
 Others = Mapping[str, Mapping[str, Any]]
@@ -27,8 +26,9 @@ def may_be_followed(verdict: Verdict, copied: bool) -> bool:
 
 def is_trivial(reference: Any, own: Any) -> bool:
     """Whether own numbers are easier than the reference: fewer different ones, or a lower rank."""
-    if isinstance(own, Table):
+    if not isinstance(own, np.ndarray):
         return False
+    own = cast("NDArray[np.float64]", own)
     if own.ndim == 2 and np.linalg.matrix_rank(own, 1e-6) < np.linalg.matrix_rank(reference, 1e-6):
         return True
     return 2 * _different_numbers(own) < _different_numbers(reference)

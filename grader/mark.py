@@ -3,65 +3,88 @@
 import logging
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from functools import lru_cache
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
-from ..exercises.exercise import Exercise, Numbers, Part, TableOf, Variant, references, solve
+from ..exercises.answers import Manual, Numbers
+from ..exercises.exercise import Exercise, Part, Variant
+from ..solutions.expression_array import ExpressionArray
 from ..solutions.table import Table
-from .compare import Mask, earning_entries, fraction, right_entries, varying_entries
-from .findings import findings, presentation
+from .answer_key import AnswerKey, Wanted
+from .findings import findings
 from .follow import Others, is_trivial, may_be_followed, owner_of, zeros_pass
-from .read import Unreadable, read
-from .tolerance import tolerance
+from .judge import Judged, judged
+from .read import Results, read
+from .unreadable import Unreadable
 from .verdict import Finding, Verdict, not_graded
 from .wire import Raw
 
-SAMPLE = 12  # draws that decide which entries vary between students
 MOST_TEXT = 400  # of a sentence that repeats what a student's process said
+BY_HAND = "It is marked by hand."
 log = logging.getLogger(__name__)
 
 
 @dataclass(frozen=True)
 class _Sheet:
-    """What marking one exercise of one student refers to: its references and the answers that could be read."""
+    """What marking one exercise of one student refers to: the key and the answers that could be read."""
 
-    exercise: Exercise
-    v: Variant
-    reference: Mapping[str, Any]
-    answers: Mapping[str, Any]
-    verdicts: Mapping[str, Verdict]
-    copied: Mapping[str, str]
+    key: AnswerKey
+    answers: dict[str, Any]
+    verdicts: dict[str, Verdict]
+    copied: dict[str, str]
 
 
-def mark(exercise: Exercise, v: Variant, raws: Mapping[str, Raw], others: Others | None = None) -> list[Verdict]:
+def mark(
+    exercise: Exercise,
+    v: Variant,
+    raws: Mapping[str, Raw],
+    others: Others | None = None,
+    key: AnswerKey | None = None,
+) -> list[Verdict]:
     """A verdict for every asked part. A failure of ours in one part leaves that part `not_graded` and no other.
 
-    Nothing follows from a wrong answer that is the right one of somebody in `others`.
+    Nothing follows from a wrong answer that is the right one of somebody in `others`. A `key` that was made for the
+    same variant saves making it again.
     """
-    reference = references(exercise, v)
-    answers: dict[str, Any] = {}
-    verdicts: dict[str, Verdict] = {}
-    copied: dict[str, str] = {}
+    sheet = _Sheet(key or AnswerKey(exercise, v), {}, {}, {})
     for part in exercise.asked:
         raw = raws.get(part.variable, Raw("missing"))
+        if isinstance(part.answer, Manual):
+            sheet.verdicts[part.variable] = _by_hand(part, raw, v)
+            continue
         try:
             answer = read(part.answer, raw, v)
         except Unreadable as error:
-            verdicts[part.variable] = _unreadable(part, raw, str(error))
+            sheet.verdicts[part.variable] = _unreadable(part, raw, str(error))
             continue
-        try:
-            verdict = _judge(_Sheet(exercise, v, reference, answers, verdicts, copied), part, answer)
-        except Exception:
-            log.exception("%s could not be marked", part.variable)
-            verdict = not_graded(part.variable, part.points, "The grader failed on this part; your answer is kept.")
-        if verdict.status != "correct" and (owner := owner_of(part, answer, others or {})):
-            copied[part.variable] = owner
-            found = Finding(f"This is the reference answer of {owner}'s variant.", private=True)
-            verdict = replace(verdict, findings=(*verdict.findings, found))
-        answers[part.variable], verdicts[part.variable] = answer, verdict
-    return [_with_note(verdict, raws.get(name, Raw("missing"))) for name, verdict in verdicts.items()]
+        _mark_readable(sheet, part, answer, others or {})
+    return [_with_note(verdict, raws.get(name, Raw("missing"))) for name, verdict in sheet.verdicts.items()]
+
+
+def _mark_readable(sheet: _Sheet, part: Part, answer: Any, others: Others) -> None:
+    try:
+        verdict = _verdict(sheet, part, answer)
+    except Exception:
+        log.exception("%s could not be marked", part.variable)
+        verdict = not_graded(part.variable, part.points, "The grader failed on this part; your answer is kept.")
+    if verdict.status != "correct" and (owner := owner_of(part, answer, others)):
+        sheet.copied[part.variable] = owner
+        found = Finding(f"This is the reference answer of {owner}'s variant.", private=True)
+        verdict = replace(verdict, findings=(*verdict.findings, found))
+    sheet.answers[part.variable], sheet.verdicts[part.variable] = answer, verdict
+
+
+def _by_hand(part: Part, raw: Raw, v: Variant) -> Verdict:
+    """What waits for the marker, with the text to be marked; nothing in the file is worth nothing, unless on paper."""
+    assert isinstance(part.answer, Manual)  # noqa: S101 - asked by the caller
+    if part.answer.on_paper:
+        return not_graded(part.variable, part.points, BY_HAND)
+    try:
+        text = read(part.answer, raw, v)
+    except Unreadable as error:
+        return _unreadable(part, raw, str(error))
+    return replace(not_graded(part.variable, part.points, BY_HAND), answer=text)
 
 
 def _with_note(verdict: Verdict, raw: Raw) -> Verdict:
@@ -74,55 +97,31 @@ def _with_note(verdict: Verdict, raw: Raw) -> Verdict:
 def _unreadable(part: Part, raw: Raw, sentence: str) -> Verdict:
     if raw.kind == "missing":
         return Verdict(part.variable, "missing", 0.0, part.points)
-    said = sentence[:MOST_TEXT]
-    text = f"In your file: {said}." if raw.kind == "error" else f"{said[:1].upper()}{said[1:]}."
+    said, *typed = sentence[:MOST_TEXT].split("\n")
+    said = f"In your file: {said}." if raw.kind == "error" else f"{said[:1].upper()}{said[1:]}."
+    text = "\n".join([said, *typed])
     return Verdict(part.variable, "failed", 0.0, part.points, (Finding(text),))
 
 
-def _judge(sheet: _Sheet, part: Part, answer: Any) -> Verdict:
-    given = {name: sheet.reference[name] for name in part.needs}
-    verdict = _compare(sheet, part, given, answer)
+def _verdict(sheet: _Sheet, part: Part, answer: Any) -> Verdict:
+    wanted = sheet.key.wanted(part)
+    found = judged(sheet.key, part, wanted, answer)
+    verdict = _written(part, found, answer)
     if verdict.status == "correct":
         return verdict
     followed = _follow(sheet, part, answer)
     if followed and (followed.points or 0) > (verdict.points or 0):
         return followed
-    found = tuple(findings(sheet.exercise, part, sheet.v, given, answer, verdict.right))
-    return replace(verdict, findings=(*verdict.findings, *found))
+    more = () if found.reading else findings(sheet.key, part, wanted, answer, found.right)
+    return replace(verdict, findings=(*verdict.findings, *more))
 
 
-def _compare(sheet: _Sheet, part: Part, given: Mapping[str, Any], answer: Any) -> Verdict:
-    """The verdict against what follows from `given`: points by earning entries, none for a worthless presentation."""
-    wanted = solve(sheet.exercise.slug, part, sheet.v, given)
-    right = right_entries(sheet.exercise, part, sheet.v, given, wanted, answer)
-    reading, noted = "", ()
-    if part.check:
-        outcome = part.check(sheet.v, given, answer)
-        right = right if outcome.right is None else np.broadcast_to(np.asarray(outcome.right, dtype=bool), right.shape)
-        reading, noted = outcome.reading, (Finding(outcome.finding),) if outcome.finding else ()
-    share = 0.0 if _worthless(sheet, part, given, wanted, answer, right) else _share(sheet, part, right)
-    status = "correct" if right.all() else "partly" if share > 0 else "incorrect"
-    points = round(part.points * share, 2)
-    return Verdict(part.variable, status, points, part.points, noted, reading, right.tolist(), _printable(answer))
-
-
-def _share(sheet: _Sheet, part: Part, right: Mask) -> float:
-    earning = _earning(sheet, part)
-    if isinstance(part.answer, TableOf):  # a wrong constant voids its joint's row
-        return fraction(right.T, earning.T, part.credit)
-    return fraction(right, earning, part.credit)
-
-
-def _earning(sheet: _Sheet, part: Part) -> Mask:
-    return earning_entries(part, sheet.reference[part.variable], _varying(sheet.exercise)[part.variable], sheet.v)
-
-
-def _worthless(sheet: _Sheet, part: Part, given: Mapping[str, Any], wanted: Any, answer: Any, right: Mask) -> bool:
-    if right.all() or not isinstance(part.answer, Numbers):
-        return False
-    allowed = tolerance(sheet.exercise.slug, part, sheet.v, given, sheet.exercise.scale(sheet.v))
-    known = presentation(part.answer, answer, wanted, allowed)
-    return known is not None and known.worthless
+def _written(part: Part, found: Judged, answer: Any) -> Verdict:
+    status = "correct" if found.all_right else "partly" if found.share > 0 else "incorrect"
+    noted = tuple(map(Finding, found.findings)) if status != "correct" else ()
+    right: Any = found.right.tolist() if hasattr(found.right, "tolist") else found.right
+    points = round(part.points * found.share, 2)
+    return Verdict(part.variable, status, points, part.points, noted, found.reading, right, _shown(answer))
 
 
 def _follow(sheet: _Sheet, part: Part, answer: Any) -> Verdict | None:
@@ -130,6 +129,7 @@ def _follow(sheet: _Sheet, part: Part, answer: Any) -> Verdict | None:
 
     Answers that were accepted though they differ from the reference keep the full share; wrong ones earn `follow`.
     """
+    key = sheet.key
     own = [name for name in part.needs if name in sheet.answers]
     if (
         not own
@@ -137,13 +137,13 @@ def _follow(sheet: _Sheet, part: Part, answer: Any) -> Verdict | None:
         or not all(may_be_followed(sheet.verdicts[name], name in sheet.copied) for name in own)
     ):
         return None
-    given = {name: sheet.answers.get(name, sheet.reference[name]) for name in part.needs}
+    given = {name: sheet.answers.get(name, key.reference[name]) for name in part.needs}
     try:
         with np.errstate(all="ignore"):
-            wanted = solve(sheet.exercise.slug, part, sheet.v, given)
-            if _is_easier(sheet, part, given, wanted):
+            wanted = key.following(part, given)
+            if _is_easier(key, part, wanted):
                 return None
-            verdict = _compare(sheet, part, given, answer)
+            verdict = _written(part, judged(key, part, wanted, answer), answer)
     except Exception:  # noqa: BLE001 - solve() on a student's data may fail in any way; then nothing follows from it
         return None
     wrong = " and ".join(name for name in own if sheet.verdicts[name].status != "correct")
@@ -156,28 +156,24 @@ def _follow(sheet: _Sheet, part: Part, answer: Any) -> Verdict | None:
     return replace(verdict, status=status, points=points, findings=(*verdict.findings, noted))
 
 
-def _is_easier(sheet: _Sheet, part: Part, given: Mapping[str, Any], wanted: Any) -> bool:
+def _is_easier(key: AnswerKey, part: Part, wanted: Wanted) -> bool:
     """Whether the student's own data made the part easier than it is."""
-    values = {**given, part.variable: wanted}
-    if any(is_trivial(sheet.reference[name], value) for name, value in values.items()):
+    values = {**wanted.given, part.variable: wanted.value}
+    if any(is_trivial(key.reference[name], value) for name, value in values.items()):
         return True
     if not isinstance(part.answer, Numbers):
         return False
-    allowed = tolerance(sheet.exercise.slug, part, sheet.v, given, sheet.exercise.scale(sheet.v))
-    return zeros_pass(wanted, allowed, _earning(sheet, part))
+    return zeros_pass(wanted.value, wanted.allowed, key.earning(part))
 
 
-@lru_cache(maxsize=64)
-def _varying(exercise: Exercise) -> dict[str, Mask]:
-    variants: list[Variant] = [exercise.draw(np.random.default_rng(seed)) for seed in range(SAMPLE)]
-    answers = [references(exercise, v) for v in variants]
-    return {
-        part.variable: varying_entries([answer[part.variable] for answer in answers], part, variants)
-        for part in exercise.asked
-    }
-
-
-def _printable(answer: Any) -> Any:
+def _shown(answer: Any) -> Any:
+    """An answer as nested lists of numbers and text, in the shape of its right entries."""
     if isinstance(answer, Table):
         return [[str(cell) for cell in row] for row in answer.rows]
-    return np.asarray(answer).tolist()
+    if isinstance(answer, ExpressionArray):
+        return answer.text()
+    if isinstance(answer, Results):
+        return None  # what is right of it is said group by group
+    if isinstance(answer, tuple):
+        return [f"{expression} = 0" for expression in cast("tuple[Any, ...]", answer)]
+    return answer if isinstance(answer, str) else np.asarray(answer).tolist()

@@ -6,9 +6,11 @@ from typing import Any, Literal
 
 import numpy as np
 
-from ..exercises.exercise import Exercise, Part, Variant, solve
-from .compare import right_entries
-from .read import Unreadable, read
+from ..exercises.exercise import Exercise, Manual, Part, Variant
+from .answer_key import AnswerKey
+from .judge import judged
+from .read import read
+from .unreadable import Unreadable
 from .wire import Raw
 
 Mode = Literal["practice", "graded", "exam"]
@@ -28,29 +30,33 @@ def remarks(exercise: Exercise, v: Variant, raws: Mapping[str, Raw], *, consiste
 
     The latter checks the student's J against the student's own T (S0, eq. 4.11) and uses no reference answer.
     """
+    key = AnswerKey(exercise, v)
     answers: dict[str, Any] = {}
     for part in exercise.asked:
         raw = raws.get(part.variable, Raw("missing"))
+        if isinstance(part.answer, Manual):
+            text = "is on paper" if part.answer.on_paper else "is there" if raw.kind == "text" else "not answered"
+            yield Remark(part.variable, ok=text != "not answered", text=f"{text}; it is marked by hand")
+            continue
         try:
             answers[part.variable] = read(part.answer, raw, v)
         except Unreadable as error:
             yield Remark(part.variable, ok=False, text=str(error))
             continue
         if consistency and part.needs and all(need in answers for need in part.needs):
-            yield _fits(exercise, part, v, answers)
+            yield _fits(key, part, answers)
         else:
             yield Remark(part.variable, ok=True, text="can be read")
 
 
-def _fits(exercise: Exercise, part: Part, v: Variant, answers: Mapping[str, Any]) -> Remark:
+def _fits(key: AnswerKey, part: Part, answers: Mapping[str, Any]) -> Remark:
     own = {need: answers[need] for need in part.needs}
     names = " and ".join(own)
     try:
         with np.errstate(all="ignore"):
-            wanted = solve(exercise.slug, part, v, own)
-            right = right_entries(exercise, part, v, own, wanted, answers[part.variable])
+            right = judged(key, part, key.following(part, own), answers[part.variable]).all_right
     except Exception:  # noqa: BLE001 - whatever a student's earlier answer does to solve(), nothing follows from it
         return Remark(part.variable, ok=True, text=f"can be read; nothing follows from your {names} to compare it with")
-    if right.all():
+    if right:
         return Remark(part.variable, ok=True, text=f"can be read and follows from your own {names}")
     return Remark(part.variable, ok=False, text=f"can be read, but does not follow from your own {names}")

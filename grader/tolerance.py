@@ -5,15 +5,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..exercises.exercise import Given, Numbers, Part, Variant, solve
+from ..exercises.exercise import Exercise, Given, Numbers, Part, Variant, solve
 
 DRAWS = 64
 CAP = 0.02  # of the block's scale; beyond it, zero would pass for small entries
 FLOOR = 1e-9
 
 
-def tolerance(slug: str, part: Part, v: Variant, given: Given, scale: float) -> NDArray[np.float64]:
-    """Allowed absolute error of every entry, in the entry's own unit.
+def tolerance(
+    exercise: Exercise, part: Part, v: Variant, given: Given, reference: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Allowed absolute error of every entry of numbers, in the entry's own unit; `reference` follows from `given`.
 
     The worst change of the answer over 64 roundings of what the part needs, times 1.5, plus half a unit of the last
     asked decimal; never below 1e-9 of the block's scale and never above 0.02 of it.
@@ -21,12 +23,11 @@ def tolerance(slug: str, part: Part, v: Variant, given: Given, scale: float) -> 
     answer = part.answer
     if not isinstance(answer, Numbers):
         raise TypeError(f"{part.variable}: a tolerance is for numbers, not for {type(answer).__name__}")
-    reference = np.asarray(part.solve(v, given), dtype=float)
     if part.tolerance is not None:
         return np.full(reference.shape, part.tolerance)
-    block = block_scale(answer, reference, scale)
+    block = block_scale(answer, reference, exercise.scale(v))
     half = 0.5 * 10.0**-answer.decimals
-    spread = _spread(slug, part, v, given, half, reference)
+    spread = _spread(exercise.slug, part, v, given, half, reference)
     # A value rounded to the asked decimals is off by half a unit and a rounding error of binary fractions.
     return np.clip(1.5 * spread + 1.001 * half, FLOOR * block, CAP * block)
 

@@ -4,7 +4,7 @@ import difflib
 import math
 import operator
 import re
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
 from importlib import import_module
 from typing import Any
@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .tokens import SIZE, ExpressionError, number, tokens_of
+from .tokens import SIZE, ExpressionError, Token, number, refusing, tokens_of
 
 Node = tuple[str, *tuple[Any, ...]]  # ("n", 2.0) | ("s", "q1") | ("sin", i) | ("*", i, j)
 FUNCTIONS: dict[str, Callable[[Any], Any]] = {
@@ -23,7 +23,9 @@ PLAIN = {"+": "add", "-": "sub", "*": "mul", "/": "truediv", "^": "pow", "neg": 
 UNARY = FUNCTIONS | {"neg": np.negative}
 BINARY: dict[str, Callable[[Any, Any], Any]] = {
     "+": np.add, "-": np.subtract, "*": np.multiply, "/": np.divide, "^": np.power,
+    "atan2": np.arctan2,
 }  # fmt: skip
+CALLED = {**dict.fromkeys(FUNCTIONS, 1), "atan2": 2}  # functions and how many arguments they take
 DEPTH, EXPONENT = 40, 20
 BINDING = {"+": 10, "-": 10, "*": 20, "/": 20, "neg": 30, "^": 40}
 
@@ -98,57 +100,70 @@ class Expression:
 
 
 def parse(text: str, names: Collection[str]) -> Expression:
-    """Expression of `text` in `names`, the functions sin cos tan asin acos atan sqrt and the constant pi.
+    """Expression of `text` in `names`, the functions sin cos tan asin acos atan atan2 sqrt and the constant pi.
 
     Products need a sign; ** and ^ are powers; mathematical minus, times and dot signs, Greek letters, subscripts and
     superscripts are read. Raises ExpressionError where the text is anything else, too long, too deep or not finite.
     """
-    if not isinstance(text, str):  # pyright: ignore[reportUnnecessaryIsInstance]  what a notebook held may be anything
-        raise ExpressionError(f"a formula takes text, got {type(text).__name__}")
-    try:
-        return _Parser(text, names).expression()
-    except ExpressionError as error:
-        error.text = text
-        raise
+    with refusing(text):
+        return expression_of(tokens_of(text), names)
+
+
+def expression_of(tokens: Sequence[Token], names: Collection[str]) -> Expression:
+    """Expression of the tokens, the last of kind "end"; ExpressionError without the text."""
+    return _Parser(tokens, names).whole()
 
 
 class _Parser:
     """Pratt parser; next to the nodes it keeps each constant's value and each node's power."""
 
-    def __init__(self, text: str, names: Collection[str]) -> None:
+    def __init__(self, tokens: Sequence[Token], names: Collection[str]) -> None:
         self.names = names
-        self.tokens = tokens_of(text)
+        self.tokens = tokens
+        self.place = 0
         self.nodes = list[Node]()
         self.constants = list[float | None]()
         self.powers = list[float]()
 
-    def expression(self) -> Expression:
+    @property
+    def next(self) -> Token:
+        return self.tokens[self.place]
+
+    def take(self, expected: str = "") -> Token:
+        """Step over the next token, which is the expected bracket or comma, or "" for any."""
+        token = self.next
+        if expected and token.text != expected:
+            before = self.tokens[self.place - 1].kind if self.place else ""
+            raise ExpressionError(_missing(expected) if token.kind == "end" else _leftover(token, before), token.offset)
+        self.place += token.kind != "end"
+        return token
+
+    def whole(self) -> Expression:
         self.operand(0, 0)
-        kind, text, offset = self.tokens[0]
-        if kind != "end":
-            raise ExpressionError(_leftover(kind, text), offset)
+        if self.next.kind != "end":
+            raise ExpressionError(_leftover(self.next, self.tokens[self.place - 1].kind), self.next.offset)
         return Expression(tuple(self.nodes))
 
     def operand(self, binding: int, depth: int) -> int:
         """Read one operand and the operators behind it that bind tighter than `binding`."""
         if depth > DEPTH:
-            raise ExpressionError("the formula is nested too deeply", self.tokens[0].offset)
+            raise ExpressionError("the formula is nested too deeply", self.next.offset)
         left = self.prefix(depth)
-        while (sign := self.tokens[0].text) in BINARY and BINDING[sign] > binding:
-            offset = self.tokens.pop(0).offset
+        while self.next.kind == "sign" and BINDING.get(self.next.text, 0) > binding:
+            _, sign, offset, _ = self.take()
             right = self.operand(BINDING[sign] - (sign == "^"), depth + 1)  # powers group from the right
             left = self.node(offset, sign, left, right)
         return left
 
     def prefix(self, depth: int) -> int:
-        kind, text, offset = self.tokens.pop(0)
+        kind, text, offset, _ = self.take()
         if kind == "number":
             return self.node(offset, "n", number(text, offset))
         if kind == "name":
             return self.named(text, offset, depth)
         if text == "(":
             inside = self.operand(0, depth + 1)
-            self.close()
+            self.take(")")
             return inside
         if text in ("-", "+"):
             inside = self.operand(BINDING["neg"], depth + 1)
@@ -158,28 +173,32 @@ class _Parser:
         raise ExpressionError(f"a number, a name or a bracket is expected, got '{text}'", offset)
 
     def named(self, name: str, offset: int, depth: int) -> int:
-        called = self.tokens[0].text == "("
-        if name in FUNCTIONS:
-            if not called:
-                raise ExpressionError(f"{name} takes its argument in brackets, as in {name}(x)", self.tokens[0].offset)
-            self.tokens.pop(0)
-            argument = self.operand(0, depth + 1)
-            self.close()
-            return self.node(offset, name, argument)
+        if name in CALLED:
+            return self.node(offset, name, *self.arguments(name, depth))
         if name == "pi":
             return self.node(offset, "n", math.pi)
         if name in self.names:
             return self.node(offset, "s", name)
-        known = list(FUNCTIONS) if called else [*sorted(self.names), "pi"]
+        called = self.next.text == "("
+        known = list(CALLED) if called else [*sorted(self.names), "pi"]
         nearest = difflib.get_close_matches(name[:40], known, 1, cutoff=0.5)
         hint = f"did you mean {nearest[0]}?" if nearest else f"known: {', '.join(known)}"
         raise ExpressionError(f"unknown {'function' if called else 'name'} '{name[:40]}'; {hint}", offset)
 
-    def close(self) -> None:
-        kind, text, offset = self.tokens[0]
-        if text != ")":
-            raise ExpressionError("a closing bracket is missing" if kind == "end" else _leftover(kind, text), offset)
-        self.tokens.pop(0)
+    def arguments(self, name: str, depth: int) -> list[int]:
+        many, opening = CALLED[name], self.next
+        if opening.text != "(":
+            takes, shown = ("its argument", "x") if many == 1 else ("two arguments", "y, x")
+            raise ExpressionError(f"{name} takes {takes} in brackets, as in {name}({shown})", opening.offset)
+        self.take("(")
+        found = [self.operand(0, depth + 1)]
+        while len(found) < many:
+            if self.next.text == ")":
+                raise ExpressionError(f"{name} takes {many} arguments, got {len(found)}", self.next.offset)
+            self.take(",")
+            found.append(self.operand(0, depth + 1))
+        self.take(")")
+        return found
 
     def node(self, offset: int, operation: str, *arguments: Any) -> int:
         """Append a node; refuse a constant that is not finite and a power that is out of bounds."""
@@ -236,14 +255,22 @@ def _apply(operation: str, values: list[Any]) -> Any:
     return UNARY[operation](*values) if operation in UNARY else BINARY[operation](*map(np.float64, values))
 
 
-def _leftover(kind: str, text: str) -> str:
-    if text == ",":
-        return "a decimal number takes a point, as in 3.14, got a comma"
-    if text == ")":
+def _leftover(token: Token, before: str) -> str:
+    if token.text == ",":
+        return (
+            "a decimal number takes a point, as in 3.14, got a comma"
+            if before == "number"
+            else "a comma has no place here"
+        )
+    if token.text == ")":
         return "this bracket was never opened"
-    if kind in ("number", "name") or text == "(":
-        return f"a sign such as * is missing before '{text[:40]}'"
-    return f"'{text}' has no place here"
+    if token.kind in ("number", "name") or token.text == "(":
+        return f"a sign such as * is missing before '{(token.typed or token.text)[:40]}'"
+    return f"'{token.text}' has no place here"
+
+
+def _missing(expected: str) -> str:
+    return "a closing bracket is missing" if expected == ")" else "a comma and another argument are missing"
 
 
 def _is_leaf(node: Node) -> bool:
@@ -262,8 +289,8 @@ def _printed_leaf(node: Node) -> tuple[str, int]:
 
 
 def _printed(operation: str, arguments: list[tuple[str, int]]) -> tuple[str, int]:
-    if operation in FUNCTIONS:
-        return f"{operation}({arguments[0][0]})", 100
+    if operation in CALLED:
+        return f"{operation}({', '.join(text for text, _ in arguments)})", 100
     binding = BINDING[operation]
 
     def inside(index: int, least: int) -> str:

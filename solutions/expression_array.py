@@ -24,37 +24,37 @@ class ExpressionArrayError(KinegradeError):
 
 @dataclass(frozen=True, eq=False)
 class ExpressionArray:
-    """Formulas of shape (), (n,) or (m, n); `entries` is an object array of `Expression`."""
+    """Formulas of shape (), (n,) or (m, n); `entries` are all of them, row after row."""
 
-    entries: NDArray[np.object_]
-
-    @property
-    def shape(self) -> tuple[int, ...]:
-        """Shape of the array."""
-        return self.entries.shape
+    entries: tuple[Expression, ...]
+    shape: tuple[int, ...]
 
     @property
     def names(self) -> frozenset[str]:
         """Names that occur in any entry."""
-        return frozenset[str]().union(*(entry.names for entry in self.entries.flat))
+        return frozenset(name for entry in self.entries for name in entry.names)
 
     def at(self, values: Mapping[str, ArrayLike]) -> NDArray[np.float64]:
         """Numbers (..., *shape) where each name has its value. Raises ExpressionError if one has none."""
-        numbers = np.broadcast_arrays(*(np.asarray(entry.at(values)) for entry in self.entries.flat))
-        stacked = np.stack(numbers, axis=-1) if numbers else np.zeros(0)
+        numbers = np.broadcast_arrays(*(np.asarray(entry.at(values)) for entry in self.entries))
+        stacked = np.stack(numbers, axis=-1)
         return stacked.reshape((*stacked.shape[:-1], *self.shape))
 
     def sympy(self) -> Any:
         """The sympy expression of shape (), else a Matrix; a vector is a column."""
-        if not self.shape:
-            return self.entries[()].sympy()
         sympy: Any = import_module("sympy")
-        rows = self.entries.reshape(len(self.entries), -1)
-        return sympy.Matrix([[entry.sympy() for entry in row] for row in rows])
+        found = [entry.sympy() for entry in self.entries]
+        if not self.shape:
+            return found[0]
+        return sympy.Matrix(self.shape[0], len(found) // self.shape[0], found)
 
     def text(self) -> Any:
         """Nested lists of strings that parse back; a single string for shape ()."""
-        return np.vectorize(str, otypes=[object])(self.entries).tolist()
+        found: Any = [str(entry) for entry in self.entries]
+        if len(self.shape) == 2:
+            width = self.shape[1]
+            return [found[start : start + width] for start in range(0, len(found), width)]
+        return found if self.shape else found[0]
 
 
 def expression_array(nested: Any, names: Iterable[str]) -> ExpressionArray:
@@ -70,13 +70,10 @@ def expression_array(nested: Any, names: Iterable[str]) -> ExpressionArray:
         nested = nested.tolist()
     known = tuple(names)
     shape = _shape(nested)
-    entries = np.empty(shape, dtype=object)
-    flat = [nested]
+    flat: list[Any] = [nested]
     for _ in shape:
         flat = [entry for row in flat for entry in row]
-    for place, entry in zip(np.ndindex(shape), flat, strict=True):
-        entries[place] = entry if isinstance(entry, Expression) else parse(str(entry), known)
-    return ExpressionArray(entries)
+    return ExpressionArray(tuple(e if isinstance(e, Expression) else parse(str(e), known) for e in flat), shape)
 
 
 def same_formulas(a: ExpressionArray, b: ExpressionArray, names: Sequence[str]) -> NDArray[np.bool_]:
@@ -102,7 +99,7 @@ def sample(names: Sequence[str], count: int) -> dict[str, NDArray[np.float64]]:
     roots = (math.sqrt(p) for p in range(2, 10_000) if all(p % d for d in range(2, math.isqrt(p) + 1)))
     values: dict[str, NDArray[np.float64]] = {}
     for name, root in zip(sorted(names), roots, strict=False):
-        fraction = (steps * root) % 1.0
+        fraction = np.asarray((steps * root) % 1.0, dtype=np.float64)
         values[name] = 5.2 * fraction - 2.6 if ANGLE.fullmatch(name) else 0.4 + 1.2 * fraction
     return values
 

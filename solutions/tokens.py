@@ -2,23 +2,34 @@
 
 import math
 import re
+from collections.abc import Collection, Generator, Sequence
+from contextlib import contextmanager
 from typing import NamedTuple
 
 from .errors import KinegradeError
 
 LENGTH, SIZE = 400, 1e12
-GREEK = {"θ": "theta", "ϑ": "theta", "α": "alpha", "π": "pi"}
-SIGNS = {"−": "-", "–": "-", "×": "*", "·": "*", "⋅": "*", "∙": "*", "∗": "*", "÷": "/", "**": "^"}
+GREEK = {
+    "θ": "theta", "ϑ": "theta", "α": "alpha", "β": "beta", "γ": "gamma", "φ": "phi", "ϕ": "phi", "ψ": "psi", "π": "pi",
+}  # fmt: skip
+SIGNS = {"−": "-", "–": "-", "×": "*", "·": "*", "⋅": "*", "∙": "*", "∗": "*", "÷": "/", "**": "^", "==": "="}
 SUBSCRIPTS, SUPERSCRIPTS = "₀₁₂₃₄₅₆₇₈₉", "⁰¹²³⁴⁵⁶⁷⁸⁹"
-TRANSLATED = str.maketrans(GREEK | dict(zip(SUBSCRIPTS + SUPERSCRIPTS, "0123456789" * 2, strict=True)))
+DIGITS = dict(zip(SUBSCRIPTS + SUPERSCRIPTS, "0123456789" * 2, strict=True))
+TRANSLATED = str.maketrans({**GREEK, **DIGITS, "{": None, "}": None})
+FORMULA = frozenset("-+*/^(),")
+PAIRS = {"(": ")", "[": "]"}
 LETTER = f"A-Za-z_{''.join(GREEK)}"
+WORD = rf"[{LETTER}][{LETTER}0-9{SUBSCRIPTS}]*(?:(?<=_)\{{[0-9]+\}})?"  # s_{12}, too
 TOKEN = re.compile(
     rf"(?P<number>(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)"
-    rf"|(?P<name>[{LETTER}][{LETTER}0-9{SUBSCRIPTS}]*)"
-    rf"|(?P<power>[{SUPERSCRIPTS}]+)"
-    rf"|(?P<sign>\*\*|[-+*/^(),{''.join(s for s in SIGNS if len(s) == 1)}])"
-    rf"|(?P<end>\Z)"
+    rf"|(?P<name>{WORD}(?:\.{WORD})*)"
+    rf"|(?P<power>⁻?[{SUPERSCRIPTS}]+)"
+    r"|(?P<line>\n)"
+    r"|(?P<space>[^\S\n]+)"
+    r"|(?P<sign>\*\*|==|.)"
+    r"|(?P<end>\Z)"
 )
+POWER = re.compile(rf"\s*(?:\^|\*\*|⁻|[{SUPERSCRIPTS}])")
 
 
 class ExpressionError(KinegradeError):
@@ -43,26 +54,80 @@ class Token(NamedTuple):
     kind: str  # number, name, sign or end
     text: str
     offset: int
+    typed: str = ""  # a name as it stands there: θ₁ for theta1
 
 
-def tokens_of(text: str) -> list[Token]:
-    """Tokens of a formula, the last of kind "end"; ExpressionError where it is too long or has another character."""
-    if len(text) > LENGTH:
-        raise ExpressionError(f"a formula takes up to {LENGTH} characters, got {len(text)}", LENGTH)
-    tokens, place = list[Token](), 0
-    while not tokens or tokens[-1].kind != "end":
-        place += len(text[place:]) - len(text[place:].lstrip())
-        match = TOKEN.match(text, place)
-        if match is None or match.lastgroup is None:
-            raise ExpressionError(f"{text[place]!r} has no meaning in a formula", place)
-        kind, found = match.lastgroup, match[0]
+@contextmanager
+def refusing(text: object, what: str = "a formula") -> Generator[str]:
+    """The typed text, which an ExpressionError raised inside takes along; ExpressionError where it is no text."""
+    if not isinstance(text, str):  # what a notebook held may be anything
+        raise ExpressionError(f"{what} takes text, got {type(text).__name__}")
+    try:
+        yield text
+    except ExpressionError as error:
+        error.text = text
+        raise
+
+
+def tokens_of(text: str, signs: frozenset[str] = FORMULA, length: int = LENGTH) -> list[Token]:
+    """Tokens of a text, the last of kind "end"; line ends are tokens where they are among the signs.
+
+    Raises ExpressionError where the text is too long or has a character without meaning.
+    """
+    if len(text) > length:
+        raise ExpressionError(f"a formula takes up to {length} characters, got {len(text)}", length)
+    tokens = list[Token]()
+    for match in TOKEN.finditer(text):  # any character is a token: what has no meaning is a sign
+        kind, found, place = str(match.lastgroup), match[0], match.start()
         if kind == "power":
-            tokens += [Token("sign", "^", place), Token("number", found.translate(TRANSLATED), place)]
-        else:
-            plain = SIGNS.get(found, found) if kind == "sign" else found.translate(TRANSLATED)
-            tokens.append(Token(kind, plain, place))
-        place = match.end()
+            tokens += _power(text, match)
+        elif kind == "sign":
+            plain = SIGNS.get(found, found)
+            if plain not in signs:
+                raise ExpressionError(f"{found!r} has no meaning in a formula", place)
+            tokens.append(Token("sign", plain, place))
+        elif kind == "line" and "\n" in signs:
+            tokens.append(Token("sign", "\n", place))
+        elif kind in ("number", "name", "end"):
+            tokens.append(Token(kind, found.translate(TRANSLATED), place, found))
     return tokens
+
+
+def _power(text: str, match: re.Match[str]) -> list[Token]:
+    place = match.start()
+    if POWER.match(text, match.end()):
+        raise ExpressionError("two powers in a row take brackets, as in (x²)^3", place)
+    sign, digits = "-" * match[0].startswith("⁻"), match[0].removeprefix("⁻").translate(TRANSLATED)
+    return [Token("sign", part, place) for part in ("^", sign) if part] + [Token("number", digits, place)]
+
+
+def paired(tokens: Sequence[Token]) -> None:
+    """Raises ExpressionError where a bracket is not closed by its like or was never opened."""
+    awaited = list[str]()
+    for token in tokens:
+        if token.text in PAIRS:
+            awaited.append(PAIRS[token.text])
+        elif token.kind == "end" and awaited:
+            raise ExpressionError("a closing bracket is missing", token.offset)
+        elif token.text in PAIRS.values():
+            if not awaited:
+                raise ExpressionError("this bracket was never opened", token.offset)
+            if token.text != awaited[-1]:
+                raise ExpressionError(f"'{awaited[-1]}' is expected, got '{token.text}'", token.offset)
+            awaited.pop()
+
+
+def split(tokens: Sequence[Token], separators: Collection[str]) -> list[list[Token]]:
+    """Tokens between the separators that stand in no brackets; each part ends with a token of kind "end"."""
+    parts, depth = [list[Token]()], 0
+    for token in tokens:
+        depth += (token.text in PAIRS) - (token.text in PAIRS.values())
+        if token.kind == "end" or (not depth and token.kind == "sign" and token.text in separators):
+            parts[-1].append(Token("end", "", token.offset))
+            parts.append([])
+        else:
+            parts[-1].append(token)
+    return parts[:-1]
 
 
 def number(text: str, offset: int) -> float:

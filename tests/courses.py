@@ -10,7 +10,7 @@ from kinegrade.course.config import Sheet, read_course
 from kinegrade.course.gradebook import Gradebook
 from kinegrade.course.sheets import exercises_of, generate
 from kinegrade.exercises.catalogue import load
-from kinegrade.exercises.exercise import references
+from kinegrade.exercises.exercise import Exercise, references
 
 SECRET = "a secret for tests, long enough"  # noqa: S105
 CLASS = (("ada", "Ada Lovelace"), ("ben", "Ben Bot"), ("cyd", 'Cyd, the "third"'))
@@ -104,6 +104,12 @@ def lever(folder):
     path = folder / "lever.py"
     path.write_text(LEVER, encoding="utf-8")
     return load(path)
+
+
+def exercise_of(*parts, draw=lambda rng: {"x": float(rng.uniform(0.1, 0.9))}, **more):
+    """An exercise `t` made of these parts."""
+    plain = {"title": "t", "source": "tests", "statement": lambda _: "t", "units": {"x": "1"}, "scale": lambda _: 1.0}
+    return Exercise(slug="t", draw=draw, parts=parts, **(plain | more))
 
 
 def sheet(mode="graded", exercises=BUNDLED):

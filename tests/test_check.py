@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 from answers import EXERCISES, variant_of
 from courses import BUNDLED, notebook
+from kinegrade.course.blanks import answer_code
 from kinegrade.course.check import _told, check_file, read_handout
 from kinegrade.course.config import CourseError
-from kinegrade.course.notebook import answer_code
 from kinegrade.exercises.exercise import references
 from kinegrade.grader.verdict import Finding, Verdict
 from kinegrade.solutions.table import Table

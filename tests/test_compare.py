@@ -3,8 +3,10 @@
 import numpy as np
 import pytest
 from answers import EXERCISES, variant_of
-from kinegrade.exercises.exercise import Numbers, Part, references
-from kinegrade.grader.compare import earning_entries, fraction, right_entries, varying_entries
+from courses import exercise_of
+from kinegrade.exercises.exercise import Formulas, Numbers, Part
+from kinegrade.grader.answer_key import AnswerKey
+from kinegrade.grader.compare import compare, fraction
 from kinegrade.solutions.table import read_table
 
 T, F = True, False
@@ -21,6 +23,9 @@ def mask(*rows):
         (mask([T, F], [T, T]), mask([T, T], [T, T]), "entry", 3 / 4),
         (mask([T, F], [T, T]), mask([T, T], [T, T]), "column", 1 / 2),
         (mask([T, F], [T, T]), mask([T, T], [T, T]), "all", 0),
+        (mask(*[[T, T]] * 5, [T, F]), mask(*[[T, T]] * 6), "block", 1 / 2),
+        (np.array(T), np.array(T), "entry", 1),
+        (np.array(F), np.array(T), "entry", 0),
         (mask([T, T], [T, F]), mask([T, T], [F, F]), "entry", 1 / 2),  # a wrong constant voids its column
         (mask([F, T], [F, T]), mask([F, T], [F, T]), "entry", 1 / 2),  # a constant column costs its share
         (mask([F, F], [F, F]), mask([F, T], [F, T]), "entry", 0),
@@ -34,33 +39,34 @@ def test_points_go_to_earning_entries_of_sound_columns(right, earning, credit, s
     assert fraction(right, earning, credit) == pytest.approx(share)
 
 
+def earning(answer, solve, draw=lambda rng: {"x": float(rng.uniform(0.1, 0.9))}):
+    exercise = exercise_of(Part("t_x", "x?", 1, answer, solve), draw=draw)
+    return AnswerKey(exercise, {"x": 0.5}).earning(exercise.parts[0])
+
+
 def test_structural_zeros_and_ones_carry_no_marks():
-    reference = np.array([[0.0, 0.5], [1.0, -1.0]])
-    asked = Part("t_x", "x?", 1, Numbers((2, 2)), lambda *_: reference)
-    varies = np.array([[True, True], [False, True]])
-    np.testing.assert_array_equal(earning_entries(asked, reference, varies, {}), [[F, T], [F, F]])
+    found = earning(Numbers((2, 2)), lambda v, _: [[0, v["x"]], [2 * v["x"], -1]])
+    np.testing.assert_array_equal(found, [[F, T], [F, F]])  # the third is 1 for this variant
 
 
 def test_an_answer_of_constants_only_is_marked_in_full():
-    reference = np.eye(2)
-    asked = Part("t_x", "x?", 1, Numbers((2, 2)), lambda *_: reference)
-    assert earning_entries(asked, reference, np.zeros((2, 2), dtype=bool), {}).all()
+    assert earning(Numbers((2, 2)), lambda *_: np.eye(2)).all()
 
 
-def test_entries_that_differ_between_students_vary():
-    asked = Part("t_x", "x?", 1, Numbers((2,)), lambda *_: None)
-    assert varying_entries([np.array([1.0, 2.0]), np.array([1.0, 2.5])], asked, [{}, {}]).tolist() == [False, True]
+def test_formulas_without_a_name_carry_no_marks():
+    assert earning(Formulas((2,), ("q1",)), lambda *_: ["0", "sin(q1)"]).tolist() == [F, T]
 
 
 def cells_right(cells, seed=0):
     exercise = EXERCISES["rrt"]
     v = variant_of("rrt", seed)
-    reference = references(exercise, v)["rrt_dh"]
+    key = AnswerKey(exercise, v)
+    reference = key.reference["rrt_dh"]
     names = {name for row in reference.rows for cell in row for name in cell.names}
     own = [[str(cell) for cell in row] for row in reference.rows]
     for (i, j), cell in cells.items():
         own[i][j] = cell.format(own[i][j])
-    return right_entries(exercise, exercise.parts[0], v, {}, reference, read_table(own, names))
+    return compare(key, exercise.parts[0], key.wanted(exercise.parts[0]), read_table(own, names)).right
 
 
 @pytest.mark.parametrize("seed", range(4))

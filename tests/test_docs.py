@@ -6,11 +6,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 from answers import raws
+from kinegrade.course.blanks import answer_code
 from kinegrade.course.config import read_course, write_course
 from kinegrade.course.demo import fill_in
 from kinegrade.course.gradebook import Gradebook
 from kinegrade.course.grading import SheetMarker
-from kinegrade.course.notebook import answer_code
 from kinegrade.course.sheets import exercises_of, generate
 from kinegrade.exercises.exercise import references
 from kinegrade.grader.mark import mark

@@ -10,8 +10,9 @@ import numpy as np
 import pytest
 from answers import EXERCISES, variant_of
 from courses import BUNDLED, lever, sheet
+from kinegrade.course.blanks import answer_code, self_check
 from kinegrade.course.config import Student
-from kinegrade.course.notebook import answer_code, given_cell, notebooks, self_check
+from kinegrade.course.notebook import given_cell, notebooks
 from kinegrade.exercises.exercise import Numbers, references
 from kinegrade.grader.collect import Ask, collect
 from kinegrade.grader.mark import mark
@@ -192,9 +193,9 @@ def checked(exercise, code):
         ("...", "not answered yet"),
         ("[1.0, 2.0]", "ready"),
         ("np.ones((2, 2))", "takes shape (2,), got (2, 2)"),
-        ("'x'", "not a matrix of numbers"),
-        ("{}", "not a matrix of numbers"),
-        ("[1, [2]]", "not a matrix of numbers"),
+        ("'x'", "not numbers, or rows of different lengths"),
+        ("{}", "not numbers, or rows of different lengths"),
+        ("[1, [2]]", "not numbers, or rows of different lengths"),
         ("[1, np.nan]", "holds NaN or infinity"),
     ],
 )

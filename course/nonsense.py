@@ -1,0 +1,95 @@
+"""What nobody shall get a point for: zeros, ones, another shape, the answer transposed."""
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..exercises.answers import (
+    Answer,
+    Conditions,
+    Configurations,
+    Formulas,
+    Function,
+    Manual,
+    Numbers,
+    TableOf,
+    Variant,
+)
+from ..grader.handed_in import handed_in
+from ..grader.wire import Raw
+
+Array = NDArray[np.float64]
+Spoiled = Callable[[Answer, Any, Variant], Raw]
+
+
+def shape_of(answer: Answer) -> tuple[int, ...]:
+    """The shape in which numbers would be handed in."""
+    if isinstance(answer, Numbers | Formulas):
+        return answer.shape
+    if isinstance(answer, TableOf):
+        return (len(answer.kinds), 4)
+    return (2, answer.joints) if isinstance(answer, Configurations) else ()
+
+
+def _filled(fill: Callable[[tuple[int, ...]], Array]) -> Spoiled:
+    """Numbers of the asked shape, whatever the kind; a function that returns them for every input."""
+
+    def raw(answer: Answer, value: Any, v: Variant) -> Raw:
+        if isinstance(answer, Function):
+            results = [np.asarray(value(*call)) for group in answer.inputs(v).values() for call in group]
+            return Raw("calls", [Raw("num", fill(result.shape)) for result in results])
+        return Raw("num", fill(shape_of(answer)))
+
+    return raw
+
+
+def _identity(shape: tuple[int, ...]) -> Array:
+    if len(shape) < 2:
+        return np.eye(1, shape[0])[0] if shape else np.ones(())
+    return np.broadcast_to(np.eye(shape[-2], shape[-1]), shape).copy()
+
+
+def _always(raw: Raw) -> Spoiled:
+    def same(_: Answer, __: Any, ___: Variant) -> Raw:
+        return raw
+
+    return same
+
+
+def _transposed(answer: Answer, value: Any, v: Variant) -> Raw:
+    raw = handed_in(answer, value, v)
+    if isinstance(answer, Numbers) and len(answer.shape) > 1:
+        return Raw("num", np.swapaxes(raw.value, -1, -2))
+    if isinstance(answer, TableOf) or (isinstance(answer, Formulas) and len(answer.shape) == 2):
+        return Raw("text", [list(column) for column in zip(*raw.value, strict=True)])
+    return Raw("missing")
+
+
+def _as_empty(answer: Answer, _: Any, __: Variant) -> Raw:
+    if isinstance(answer, Conditions):
+        return Raw("text", [])
+    return Raw("num", np.ones((0,)))
+
+
+def _quoted_x(answer: Answer, _: Any, __: Variant) -> Raw:
+    return Raw("missing") if isinstance(answer, Manual) else Raw("text", "x")
+
+
+NONSENSE: dict[str, Spoiled] = {
+    "0.0": _always(Raw("num", np.array(0.0))),
+    "zeros": _filled(np.zeros),
+    "ones": _filled(np.ones),
+    "minus ones": _filled(lambda shape: -np.ones(shape)),
+    "identity": _filled(_identity),
+    "None": _always(Raw("error", "not a matrix of numbers: None")),
+    "'x'": _quoted_x,
+    "NaN": _filled(lambda shape: np.full(shape, np.nan)),
+    "another shape": _filled(lambda shape: np.ones((*shape, 2))),
+    "ones((1, 1))": _always(Raw("num", np.ones((1, 1)))),
+    "empty": _as_empty,
+    "transposed": _transposed,
+    "missing": _always(Raw("missing")),
+}
+"""Name to what is handed in for an answer kind, its reference and its variant."""

@@ -1,0 +1,99 @@
+"""What makes an answer right where it is not unique: properties to check in place of a reference value."""
+
+from collections.abc import Callable, Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..solutions.expression_array import POINTS, ExpressionArray, sample
+
+Array = NDArray[np.float64]
+TURN = 2 * np.pi
+
+
+def parallel(value: ArrayLike, direction: ArrayLike, tolerance: float, *, sign: bool = False) -> bool:
+    """Whether a vector (n,) points along a direction (n,), at any length; with `sign`, not against it.
+
+    `tolerance` [rad] is the largest angle between them. A vector of zeros points nowhere.
+    """
+    a, b = np.asarray(value, dtype=float), np.asarray(direction, dtype=float)
+    size = float(np.linalg.norm(a) * np.linalg.norm(b))
+    if size < 1e-9:
+        return False
+    cosine = float(a @ b) / size
+    return float(np.arccos(np.clip(cosine if sign else abs(cosine), -1, 1))) <= tolerance
+
+
+def meets(J: ArrayLike, rates: ArrayLike, target: ArrayLike, allowed: ArrayLike) -> bool:
+    """Whether joint rates (n,) give a velocity: |J rates - target| <= allowed in every row of J (m, n)."""
+    return bool((np.abs(np.asarray(J) @ np.asarray(rates) - np.asarray(target)) <= allowed).all())
+
+
+def is_right_inverse(J: ArrayLike, X: ArrayLike, tolerance: float) -> bool:
+    """Whether J X = I for J (m, n) and X (n, m)."""
+    product = np.asarray(J) @ np.asarray(X)
+    return bool(np.abs(product - np.eye(len(product))).max() <= tolerance)
+
+
+def is_pseudoinverse(J: ArrayLike, X: ArrayLike, tolerance: float) -> bool:
+    """Whether X (n, m) meets the four Penrose conditions for J (m, n): J X J = J, X J X = X, J X and X J symmetric."""
+    J, X = np.asarray(J, dtype=float), np.asarray(X, dtype=float)
+    JX, XJ = J @ X, X @ J
+    misses = (J @ XJ - J, (XJ @ X - X) / max(1.0, np.abs(X).max()), JX - JX.T, XJ - XJ.T)
+    return all(float(np.abs(miss).max()) <= tolerance for miss in misses)
+
+
+def spans_null_space(J: ArrayLike, N: ArrayLike, tolerance: float) -> bool:
+    """Whether the columns of N (n, k) are a basis of the null space of J (m, n): projectors are compared, not bases."""
+    J, N = np.asarray(J, dtype=float), np.asarray(N, dtype=float).reshape(np.shape(J)[1], -1)
+    if np.linalg.matrix_rank(N, 1e-6) < N.shape[1]:
+        return False
+    Q, _ = np.linalg.qr(N)
+    _, sizes, V = np.linalg.svd(J)
+    null = V[int((sizes > 1e-9 * sizes[0]).sum()) :].T
+    return Q.shape == null.shape and bool(np.abs(Q @ Q.T - null @ null.T).max() <= tolerance)
+
+
+def same_rotation(R: ArrayLike, S: ArrayLike, tolerance: float) -> bool:
+    """Whether two rotations (3, 3) differ by at most `tolerance` [rad]."""
+    cosine = (float(np.trace(np.asarray(R).T @ np.asarray(S))) - 1) / 2
+    return float(np.arccos(np.clip(cosine, -1, 1))) <= tolerance
+
+
+def proportional(value: ExpressionArray, reference: ExpressionArray, names: Sequence[str]) -> bool:
+    """Whether a formula is another one times a constant that is not zero, such as a determinant up to its sign."""
+    values = sample(names, POINTS)
+    own, wanted = (np.broadcast_to(x.at(values), (POINTS, *x.shape)).ravel() for x in (value, reference))
+    if not np.isfinite(own).all() or not wanted.any():
+        return False
+    factor = float(own @ wanted) / float(wanted @ wanted)
+    return abs(factor) > 1e-9 and bool((np.abs(own - factor * wanted) <= 1e-8 * np.abs(own).max()).all())
+
+
+def listed(
+    values: ArrayLike, wanted: ArrayLike, tolerance: float, *, periodic: bool = True
+) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+    """Which of the student's rows (m, n) are wanted, and which wanted rows (k, n) the student has.
+
+    With `periodic`, angles a full turn apart are the same.
+    """
+    own, all_wanted = np.atleast_2d(np.asarray(values, dtype=float)), np.atleast_2d(np.asarray(wanted, dtype=float))
+    difference = own[:, None] - all_wanted[None]
+    if periodic:
+        difference -= TURN * np.round(difference / TURN)
+    same = (np.abs(difference) <= tolerance).all(axis=-1)
+    return same.any(axis=1), same.any(axis=0)
+
+
+def list_share(
+    values: ArrayLike, wanted: ArrayLike, tolerance: float, holds: Callable[[Array], bool] = lambda _: False
+) -> tuple[NDArray[np.bool_], float]:
+    """Right entries (m, n) of a list of configurations and the share it earns: each wrong one costs one right one.
+
+    A configuration that is not in `wanted` may still be right when it `holds`.
+    """
+    own = np.asarray(values, dtype=float)
+    right, hit = listed(own, wanted, tolerance)
+    right = right | np.array([holds(row) for row in own])
+    share = max(0, int(hit.sum()) - int((~right).sum())) / len(hit)
+    return np.broadcast_to(right[:, None], own.shape), share

@@ -1,0 +1,90 @@
+"""What one variant's answers are compared with: reference, tolerance and the entries that carry points, made once."""
+
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..exercises.answers import Formulas, Numbers, TableOf, Variant
+from ..exercises.exercise import Exercise, Given, Part, references, solve
+from ..exercises.values import pictured
+from .tolerance import tolerance
+
+Mask = NDArray[np.bool_]
+TRIVIAL = (-1.0, 0.0, 1.0)
+SAMPLE = 12  # draws that decide which entries vary between students
+
+
+@dataclass(frozen=True, eq=False)
+class Wanted:
+    """The answer that follows from `given`, and how far each entry of numbers may be off."""
+
+    value: Any
+    given: Given
+    allowed: NDArray[np.float64]
+
+
+class AnswerKey:
+    """The key of one exercise for one variant; what costs time is computed when it is asked for, and kept."""
+
+    def __init__(self, exercise: Exercise, v: Variant) -> None:
+        """Solves all parts. Raises ExerciseError where the exercise breaks its own declaration."""
+        self.exercise, self.v = exercise, v
+        self.reference = references(exercise, v)
+        self._wanted: dict[str, Wanted] = {}
+        self._earning: dict[str, Mask] = {}
+
+    def wanted(self, part: Part) -> Wanted:
+        """What follows from the reference answers."""
+        if part.variable not in self._wanted:
+            given = {name: self.reference[name] for name in part.needs}
+            self._wanted[part.variable] = self._with_tolerance(part, self.reference[part.variable], given)
+        return self._wanted[part.variable]
+
+    def following(self, part: Part, given: Given) -> Wanted:
+        """What follows from other earlier answers. Raises whatever `solve` makes of them."""
+        return self._with_tolerance(part, solve(self.exercise.slug, part, self.v, given), given)
+
+    def _with_tolerance(self, part: Part, value: Any, given: Given) -> Wanted:
+        if not isinstance(part.answer, Numbers):
+            return Wanted(value, given, np.zeros(0))
+        return Wanted(value, given, tolerance(self.exercise, part, self.v, given, value))
+
+    def earning(self, part: Part) -> Mask:
+        """Entries of numbers, tables and formulas that carry points.
+
+        They vary between students and are none of -1, 0, 1 for this one: a Jacobian is full of structural zeros and
+        ones, so that a matrix of zeros agrees with many of its entries. A formula is told by its names.
+        """
+        if part.variable not in self._earning:
+            self._earning[part.variable] = self._earning_entries(part)
+        return self._earning[part.variable]
+
+    def _earning_entries(self, part: Part) -> Mask:
+        reference = self.reference[part.variable]
+        if isinstance(part.answer, Formulas):
+            earning = np.array([bool(entry.names) for entry in reference.entries]).reshape(reference.shape)
+        elif isinstance(part.answer, Numbers | TableOf):
+            numbers = np.asarray(pictured(part.answer, reference, self.v))
+            close = self.wanted(part).allowed if isinstance(part.answer, Numbers) else np.full(numbers.shape, 1e-6)
+            trivial = (np.abs(numbers[..., None] - TRIVIAL) <= np.maximum(close, 1e-6)[..., None]).any(-1)
+            earning = varying(self.exercise)[part.variable] & ~trivial
+        else:
+            return np.ones((), dtype=bool)
+        return earning if earning.any() else np.ones_like(earning)
+
+
+@lru_cache(maxsize=64)
+def varying(exercise: Exercise) -> dict[str, Mask]:
+    """Entries of every part of numbers or tables that differ between draws."""
+    variants: list[Variant] = [exercise.draw(np.random.default_rng(seed)) for seed in range(SAMPLE)]
+    answers = [references(exercise, v) for v in variants]
+    found: dict[str, Mask] = {}
+    for part in exercise.asked:
+        if isinstance(part.answer, Numbers | TableOf):
+            drawn = zip(answers, variants, strict=True)
+            pictures = [pictured(part.answer, answer[part.variable], v) for answer, v in drawn]
+            found[part.variable] = np.asarray(np.ptp(np.array(pictures), axis=0) > 1e-6)
+    return found

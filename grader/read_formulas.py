@@ -1,0 +1,76 @@
+"""Formulas and conditions out of raw values, in the names of the sheet."""
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from ..exercises.answers import Conditions, Formulas, Variant
+from ..exercises.values import names_on_sheet
+from ..solutions.expression import Expression, ExpressionError, parse
+from ..solutions.expression_array import ExpressionArray
+from ..solutions.typed import typed
+from ..solutions.typed_matrix import typed_equations, typed_matrix
+from .read_numbers import flat_texts, reshaped
+from .unreadable import Unreadable, clip, entry_name, misread
+from .wire import Raw
+
+MOST_CONDITIONS = 32
+
+
+def read_formulas(answer: Formulas, raw: Raw, v: Variant) -> ExpressionArray:
+    """Formulas of the asked shape: nested text, one text with all of them, or constants. Raises Unreadable."""
+    names = names_on_sheet(answer.names, v)
+    if raw.kind not in ("text", "num"):
+        raise Unreadable(f"takes formulas of shape {answer.shape}, got {clip(raw.kind)}")
+    if isinstance(raw.value, str) and answer.shape:
+        rows = _read(raw.value, lambda text: typed_matrix(text, names))
+        entries, shape = [entry for row in rows for entry in row], (len(rows), len(rows[0]))
+    else:
+        entries, shape = _entries(raw, names)
+    reshaped(np.zeros(shape), answer.shape)  # refuses another shape
+    return ExpressionArray(tuple(entries), answer.shape)
+
+
+def read_conditions(answer: Conditions, raw: Raw, v: Variant) -> tuple[Expression, ...]:
+    """Expressions that are zero where a condition holds. Raises Unreadable."""
+    names = names_on_sheet(answer.names, v)
+    texts = [raw.value] if isinstance(raw.value, str) else raw.value
+    if raw.kind != "text" or not isinstance(texts, list) or not all(isinstance(text, str) for text in texts):  # pyright: ignore[reportUnknownVariableType]
+        raise Unreadable(f"takes a list of conditions in {', '.join(names)}, such as ['sin(q1) = 0'], got {_kind(raw)}")
+    found: list[Expression] = []
+    for text in texts:  # pyright: ignore[reportUnknownVariableType]
+        found += _read(str(text), lambda text: typed_equations(text, names))  # pyright: ignore[reportUnknownArgumentType]
+    if not 1 <= len(found) <= MOST_CONDITIONS:
+        raise Unreadable(f"takes 1 to {MOST_CONDITIONS} conditions, got {len(found)}")
+    return tuple(found)
+
+
+def _kind(raw: Raw) -> str:
+    return "numbers" if raw.kind == "num" else clip(raw.value)
+
+
+def _read(text: str, read: Callable[[str], Any], where: str = "") -> Any:
+    try:
+        return read(text)
+    except ExpressionError as error:
+        raise misread(error, where) from error
+
+
+def _entries(raw: Raw, names: tuple[str, ...]) -> tuple[list[Expression], tuple[int, ...]]:
+    if raw.kind == "num":
+        array = raw.value
+        if np.iscomplexobj(array) or not np.isfinite(array).all():
+            raise Unreadable("takes formulas, got numbers that are not finite and real")
+        return [parse(_constant(float(x)), ()) for x in array.ravel()], array.shape
+    flat, shape = flat_texts(raw.value)
+    places = np.ndindex(shape)
+    entries = [
+        _read(text, lambda text: typed(text, names), entry_name(where))
+        for text, where in zip(flat, places, strict=True)
+    ]
+    return entries, shape
+
+
+def _constant(number: float) -> str:
+    return "0" if abs(number) < 1e-12 else repr(number)

@@ -1,0 +1,29 @@
+"""Why an answer cannot be judged, in a sentence for the student."""
+
+from typing import Any
+
+from ..solutions.errors import KinegradeError
+from ..solutions.expression import ExpressionError
+
+
+class Unreadable(KinegradeError):
+    """An answer that cannot be judged; the lines after the first are typed text with a caret under the place."""
+
+
+def clip(value: Any) -> str:
+    """Something a student typed, short enough for a sentence."""
+    text = " ".join(str(value).split())
+    return text if len(text) <= 60 else text[:57] + "..."
+
+
+def misread(error: ExpressionError, where: str = "") -> Unreadable:
+    """The sentence of a formula that cannot be read, and where in it."""
+    return Unreadable(f"{where}{': ' * bool(where)}{error.message}\n{error.caret}")
+
+
+def entry_name(where: tuple[int, ...]) -> str:
+    """Place of an entry (indices from 0) in words."""
+    numbers = [i + 1 for i in where]
+    if len(numbers) == 2:
+        return f"row {numbers[0]}, column {numbers[1]}"
+    return f"entry {', '.join(map(str, numbers))}" if numbers else ""

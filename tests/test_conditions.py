@@ -1,0 +1,95 @@
+"""Conditions are judged by where they hold, however they are written: every branch hit, nothing that is not asked."""
+
+import numpy as np
+import pytest
+from kinegrade.exercises.answers import Conditions
+from kinegrade.grader.conditions import judge_conditions
+from kinegrade.grader.read_formulas import read_conditions
+from kinegrade.grader.unreadable import Unreadable
+from kinegrade.grader.wire import Raw
+from kinegrade.solutions.expression import parse
+
+V = {"a1": 0.3, "l3": 0.4, "q": [0.1, 0.2, 0.3]}
+NAMES = ("a1", "l3", "q1", "q2", "q3")
+DOMAIN = {"q1": (-np.pi, np.pi), "q2": (-np.pi, np.pi), "q3": (0.0, 1.5)}
+SPHERICAL = ("sin(q2)", "q3")
+OFFSET = ("a1 + q3*sin(q2)", "q3")
+ELBOW = ("tan(q2) + 2",)
+
+
+def judged(reference, *texts, domain=DOMAIN):
+    own = read_conditions(Conditions(NAMES, lambda _: domain), Raw("text", list(texts)), V)
+    return judge_conditions([parse(text, NAMES) for text in reference], own, domain, V)
+
+
+@pytest.mark.parametrize(
+    ("reference", "texts"),
+    [
+        (SPHERICAL, ["sin(q2) = 0", "q3 = 0"]),
+        (SPHERICAL, ["s2 = 0 or q3 = 0"]),
+        (SPHERICAL, ["q2 = 0", "q2 = pi", "q3 = 0"]),
+        (SPHERICAL, ["q2 = 0", "q2 = -pi", "q3 = 0"]),
+        (SPHERICAL, ["q2 = k*pi", "q3 = 0"]),
+        (SPHERICAL, ["q3*sin(q2) = 0"]),
+        (SPHERICAL, ["q3^2*s2 = 0"]),
+        (SPHERICAL, ["cos(q2)^2 = 1", "q3 = 0"]),
+        (SPHERICAL, ["θ2 = 0", "θ2 = ±π", "q3 = 0"]),
+        (OFFSET, ["q3 = 0", "sin(q2) = -a1/q3"]),
+        (OFFSET, ["q3 = 0", "a1 + q3*s2 = 0"]),
+        (OFFSET, ["q3 = 0", "2*a1 = -2*q3*s2"]),
+        (ELBOW, ["q2 = -atan(2)", "q2 = pi - atan(2)"]),
+        (ELBOW, ["2*cos(q2) + sin(q2) = 0"]),
+    ],
+)
+def test_the_same_postures_in_other_words_are_right(reference, texts):
+    found = judged(reference, *texts)
+    assert found.share == 1
+    assert all(found.holds)
+    assert found.findings == ()
+
+
+@pytest.mark.parametrize(
+    ("reference", "texts", "share", "words"),
+    [
+        (SPHERICAL, ["sin(q2) = 0"], 1 / 2, "1 of 2 conditions is missing"),
+        (SPHERICAL, ["q2 = 0", "q3 = 0"], 1 / 2, "look for another branch"),
+        (ELBOW, ["q2 = -atan(2)"], 0, "look for another branch"),
+        (SPHERICAL, ["sin(q2) = 0", "q3 = 0", "q1 = 0"], 1 / 2, "holds at postures that are not asked for"),
+        (SPHERICAL, ["sin(q2) = 0", "q3 = 0", "cos(q2) = 0"], 1 / 2, "holds at postures that are not asked for"),
+        (SPHERICAL, ["sin(q2) = 0", "q3 = 7"], 0, "met nowhere within the limits"),
+        (SPHERICAL, ["cos(q2) = 0", "q1 = 0"], 0, "2 of 2 conditions are missing"),
+        (OFFSET, ["q3 = 0", "a1 - q3*sin(q2) = 0"], 0, "not asked for"),
+    ],
+)
+def test_what_is_missing_or_too_much_is_said_and_costs_its_share(reference, texts, share, words):
+    found = judged(reference, *texts)
+    assert found.share == pytest.approx(share)
+    assert any(words in sentence for sentence in found.findings)
+
+
+@pytest.mark.parametrize("texts", [["q2 - q2 = 0"], ["sin(q2)^2 + cos(q2)^2 = 1"], ["q3^2 = -1"]])
+def test_a_condition_that_always_or_never_holds_earns_nothing(texts):
+    assert judged(SPHERICAL, *texts).share == 0
+    assert judged(SPHERICAL, *texts, "sin(q2) = 0").share < 1
+
+
+def test_a_pole_is_no_zero():
+    assert judged(("sin(q2)",), "1/tan(q2) = 0").share == 0
+    assert judged(("cos(q2)",), "1/tan(q2) = 0").share == 1
+
+
+@pytest.mark.parametrize(
+    ("raw", "words"),
+    [
+        (Raw("num", np.zeros(3)), "takes a list of conditions in a1, l3, q1, q2, q3"),
+        (Raw("text", [["q2 = 0"]]), "takes a list of conditions"),
+        (Raw("text", []), "takes 1 to 32 conditions, got 0"),
+        (Raw("text", ["q7 = 0"]), "q7"),
+        (Raw("text", ["1 = 0"]), "takes a joint or another name"),
+        (Raw("text", ["__import__('os') = 0"]), "__import__"),
+    ],
+)
+def test_what_is_no_condition_is_refused(raw, words):
+    with pytest.raises(Unreadable) as caught:
+        read_conditions(Conditions(NAMES, lambda _: DOMAIN), raw, V)
+    assert words in str(caught.value)

@@ -1,0 +1,320 @@
+"""Every kind of answer from raw value to verdict: what is right in any wording, what is named, what earns nothing."""
+
+import numpy as np
+import pytest
+from courses import exercise_of
+from kinegrade.exercises.exercise import (
+    Choice,
+    Configurations,
+    ExerciseError,
+    Formulas,
+    Function,
+    Manual,
+    Mistake,
+    Numbers,
+    Outcome,
+    Part,
+    references,
+)
+from kinegrade.exercises.properties import list_share
+from kinegrade.grader.mark import mark
+from kinegrade.grader.wire import Raw
+
+V = {"l1": 0.8, "l2": 0.5, "q": [0.4, 0.9]}
+NAMES = ("l1", "l2", "q1", "q2")
+J = [
+    ["-l1*sin(q1) - l2*sin(q1 + q2)", "-l2*sin(q1 + q2)"],
+    ["l1*cos(q1) + l2*cos(q1 + q2)", "l2*cos(q1 + q2)"],
+    ["1", "1"],
+]
+
+
+def verdict(part, raw, v=V):
+    exercise = exercise_of(part, draw=lambda rng: {**V, "l1": float(rng.uniform(0.4, 1.2))})
+    raw = raw if isinstance(raw, Raw) else Raw("text", raw) if isinstance(raw, str | list) else Raw("num", raw)
+    (found,) = mark(exercise, v, {part.variable: raw})
+    return found
+
+
+def said(found):
+    return " ".join([found.reading, *(finding.text for finding in found.findings)])
+
+
+def formulas(shape=(3, 2), reference=J, **more):
+    return Part("t_x", "x?", 4, Formulas(shape, NAMES), lambda *_: reference, **more)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        J,
+        [["-l1*s1 - l2*s12", "-l2*s12"], ["l1*c1 + l2*c12", "l2*c12"], ["1", "1"]],
+        [["-(l1*s1 + l2*s12)", "-l2*sin(th1 + th2)"], ["c1*l1 + l2*c12", "l2*(c1*c2 - s1*s2)"], ["1", "s2^2 + c2^2"]],
+        "[[-l1*s1 - l2*s12, -l2*s12], [l1*c1 + l2*c12, l2*c12], [1, 1]]",
+        "Matrix([[-l1*s1 - l2*sin(q1 + q2), -l2*sin(q1 + q2)], [l1*cos(q1) + l2*cos(q1 + q2), l2*c12], [1, 1]])",
+        "[-l1*s1 - l2*s12, -l2*s12; l1*c1 + l2*c12, l2*c12; 1, 1]",
+        [["-L1*np.sin(θ₁) − L2·sin(θ1+θ2)", "-l_2*sin(q_1 + q_2)"], ["l1*c1 + l2*c12", "l2*c12"], ["1.0", "1"]],
+    ],
+)
+def test_formulas_are_right_in_any_wording(text):
+    found = verdict(formulas(), text)
+    assert (found.status, found.points) == ("correct", 4)
+
+
+@pytest.mark.parametrize(
+    ("change", "points", "words"),
+    [
+        ({(0, 0): "l1*s1 + l2*s12"}, 3, "Only a sign is wrong: row 1, column 1"),
+        ({(0, 1): "-l2*s2"}, 3, ""),
+        ({(2, 1): "0"}, 2, ""),  # a wrong constant voids its column
+    ],
+)
+def test_a_wrong_formula_costs_its_entry(change, points, words):
+    rows = [list(row) for row in J]
+    for (i, j), text in change.items():
+        rows[i][j] = text
+    found = verdict(formulas(), rows)
+    assert (found.status, found.points) == ("partly", points)
+    assert words in said(found)
+
+
+def test_formulas_with_the_own_numbers_put_in_are_named_and_earn_nothing_for_it():
+    numbers = [["-0.8*s1 - 0.5*s12", "-0.5*s12"], ["0.8*c1 + 0.5*c12", "0.5*c12"], ["1", "1"]]
+    found = verdict(formulas(), numbers)
+    assert found.points == 0
+    assert "With your numbers put in it is right, but formulas are asked: they take l1, l2." in said(found)
+    values = np.array([[-0.794, -0.482], [0.871, 0.134], [1, 1]])
+    assert "they take l1, l2, q1, q2" in said(verdict(formulas(), values))
+
+
+@pytest.mark.parametrize(
+    ("raw", "words"),
+    [
+        ([["-l1*s1", "-l2*s12"]], "takes shape (3, 2), got (1, 2)"),
+        ([["a", "b"], ["c"]], "rows of different lengths"),
+        ([["l1*s1 +", "0"], ["0", "0"], ["0", "0"]], "row 1, column 1: "),
+        ([["l1 s1", "0"], ["0", "0"], ["0", "0"]], "row 1, column 1: a sign such as * is missing before 's1'"),
+        ("eval('1')", "has no meaning"),
+        (Raw("num", np.full((3, 2), np.nan)), "not finite"),
+    ],
+)
+def test_formulas_that_cannot_be_read_say_where(raw, words):
+    found = verdict(formulas(), raw)
+    assert (found.status, found.points) == ("failed", 0)
+    assert words.lower() in said(found).lower()
+
+
+def test_a_typed_formula_that_cannot_be_read_is_shown_with_a_caret():
+    found = verdict(formulas((), "l1*cos(q1)"), "l1*cos(q1) l2")
+    assert found.findings[0].text.splitlines()[1:] == ["l1*cos(q1) l2", "           ^"]
+
+
+def test_a_transposed_matrix_of_formulas_is_named():
+    square = formulas((2, 2), J[:2])
+    found = verdict(square, [list(column) for column in zip(*J[:2], strict=True)])
+    assert found.points == 0
+    assert "transposed" in said(found)
+
+
+def test_a_known_mistake_in_formulas_is_named():
+    absolute = [["-l1*sin(q1) - l2*sin(q2)", "-l2*sin(q2)"], ["l1*cos(q1) + l2*cos(q2)", "l2*cos(q2)"], ["1", "1"]]
+    part = formulas(mistakes=(Mistake("The second angle is measured from link 1.", lambda *_: absolute),))
+    found = verdict(part, [["-l1*s1 - l2*s2", "-l2*s2"], ["l1*c1 + l2*c2", "l2*c2"], ["1", "1"]])
+    assert "The second angle is measured from link 1." in said(found)
+
+
+def test_a_name_that_the_variant_lacks_is_unknown():
+    part = Part("t_x", "x?", 1, Formulas((), ("l1", "l9", "q1")), lambda *_: "l1")
+    assert "l9" in said(verdict(part, "l1 + l9"))
+
+
+CHOICE = Part("t_x", "x?", 2, Choice(("red", "green", "blue")), lambda *_: "b")
+
+
+@pytest.mark.parametrize("text", ["b", "B", "(b)", " b) ", "green"])
+def test_a_choice_is_its_letter_or_its_text(text):
+    assert verdict(CHOICE, text).points == 2
+
+
+@pytest.mark.parametrize("text", ["a", "c", "red"])
+def test_another_choice_is_wrong(text):
+    assert (verdict(CHOICE, text).status, verdict(CHOICE, text).points) == ("incorrect", 0)
+
+
+@pytest.mark.parametrize("raw", ["d", "", "ab", "a or b", np.array(2.0), [["b"]]])
+def test_what_is_no_choice_is_refused(raw):
+    found = verdict(CHOICE, raw)
+    assert found.status == "failed"
+    assert "takes one of the letters a, b, c" in said(found).lower()
+
+
+LENGTH = Part("t_x", "x?", 2, Numbers((), "m", decimals=3), lambda v, _: v["l1"] / 2)
+
+
+@pytest.mark.parametrize("text", ["0.4", "0.4 m", "400 mm", "40cm", "2/5", "4e-1 m"])
+def test_a_scalar_is_read_with_its_unit(text):
+    assert verdict(LENGTH, text).points == 2
+
+
+@pytest.mark.parametrize(
+    ("raw", "status", "words"),
+    [
+        ("0.4 s", "failed", "takes a value in m, got 0.4 s"),
+        ("0.4 rad", "failed", "takes a value in m, got 0.4 rad"),
+        ("0,4", "failed", "point"),
+        (np.array(400.0), "incorrect", "metres are asked, not millimetres"),
+        (np.array(40.0), "incorrect", "metres are asked, not centimetres"),
+        (np.array([0.4, 0.4]), "failed", "takes one number, got (2,)"),
+    ],
+)
+def test_a_wrong_unit_is_named(raw, status, words):
+    found = verdict(LENGTH, raw)
+    assert found.status == status
+    assert words.lower() in said(found).lower()
+
+
+def test_degrees_are_named():
+    angle = Part("t_x", "x?", 2, Numbers((2,), "rad", decimals=3), lambda v, _: np.array(v["q"]))
+    assert "Angles are in degrees: radians are asked." in said(verdict(angle, np.degrees(V["q"])))
+    assert verdict(angle, ["22.9183 deg", "0.9 rad"]).points == 2
+
+
+def test_numbers_may_be_typed_as_formulas_without_names():
+    part = Part("t_x", "x?", 2, Numbers((2, 2), decimals=3), lambda *_: np.array([[0.5, np.sqrt(3) / 2], [0, -2]]))
+    for typed in ([["1/2", "sqrt(3)/2"], ["0", "-2"]], "[[1/2, sqrt(3)/2], [0, -2]]", "[1/2, √3/2; 0, −2]"):
+        assert verdict(part, typed).points == 2
+
+
+def elbows(_, __, value):
+    right, share = list_share(value, [[-1.2], [np.pi - 1.2]], 1e-3)
+    finding = "" if share == 1 else "Is there another one half a turn away?"
+    return Outcome(right=right, share=share, finding=finding)
+
+
+LISTED = Part("t_x", "x?", 4, Configurations(1), lambda *_: [[-1.2], [np.pi - 1.2]], check=elbows)
+
+
+@pytest.mark.parametrize(
+    ("raw", "points"),
+    [
+        (np.array([-1.2, np.pi - 1.2]), 4),
+        (np.array([[np.pi - 1.2], [-1.2]]), 4),
+        (np.array([-1.2, -np.pi - 1.2]), 4),
+        (["-1.2", "pi - 1.2"], 4),
+        (np.array([-1.2]), 2),
+        (np.array([-1.2, 0.3]), 0),
+        (np.array([-1.2, -1.2]), 2),
+        (np.linspace(-3, 3, 32), 0),
+    ],
+)
+def test_a_list_of_configurations_earns_what_it_hits_less_what_it_misses(raw, points):
+    found = verdict(LISTED, raw)
+    assert found.points == points
+    assert ("half a turn away" in said(found)) == (points < 4)
+
+
+@pytest.mark.parametrize("raw", [np.zeros((2, 2)), np.linspace(0, 1, 33), np.array([np.nan]), "x"])
+def test_a_list_that_is_none_is_refused(raw):
+    assert verdict(LISTED, raw).status == "failed"
+
+
+def double(x):
+    return 2 * np.asarray(x)
+
+
+CALLS = {"small": [([1.0, 2.0],), ([0.5, 0.1],)], "large": [([100.0, 3.0],)]}
+FUNCTION = Part(
+    "t_x", "x?", 4, Function("(x)", lambda _: CALLS, published=lambda _: {"yours": [([5.0, 6.0],)]}), lambda *_: double
+)
+
+
+def results(*values, kind="calls"):
+    return Raw(
+        kind, [Raw("num", np.asarray(value, dtype=float)) if not isinstance(value, Raw) else value for value in values]
+    )
+
+
+@pytest.mark.parametrize(
+    ("raw", "points", "words"),
+    [
+        (results([2, 4], [1, 0.2], [200, 6]), 4, ""),
+        (
+            results([2, 4], [1, 0.2], [200, 7]),
+            2,
+            "large: 0 of 1 right; the first that is not differs in 1 of 2 entries",
+        ),
+        (results([2, 4], [1, 0.3], [200, 6]), 2, "small: 1 of 2 right"),
+        (results([2, 4], [1, 0.2], Raw("error", "stopped with IndexError: 3")), 2, "gave: stopped with IndexError: 3"),
+        (results([[2, 4]], [1, 0.2], [200, 6]), 2, "has shape (1, 2), (2,) is asked"),
+        (results([2, 4], [1, 0.2]), 2, "no result"),
+        (results([2, 4], [1, np.nan], [200, 6]), 2, "NaN"),
+        (results([10, 12], kind="results"), 4, ""),
+        (results([10, 13], kind="results"), 0, "yours: 0 of 1 right"),
+        (Raw("num", np.array([[10.0, 12.0]])), 4, ""),
+    ],
+)
+def test_a_function_is_judged_group_by_group_on_its_results(raw, points, words):
+    found = verdict(FUNCTION, raw)
+    assert found.points == points
+    assert words in said(found)
+
+
+def test_text_in_place_of_a_function_is_refused():
+    assert "Takes a function, def NAME(x), got text." in said(verdict(FUNCTION, "2*x"))
+
+
+def test_what_is_marked_by_hand_waits():
+    by_hand = Part("t_x", "x?", 2, Manual(((2, "all"),)), lambda *_: "key")
+    on_paper = Part("t_x", "x?", 2, Manual(((2, "all"),), on_paper=True), lambda *_: "key")
+    assert (verdict(by_hand, "because").status, verdict(by_hand, "because").answer) == ("not_graded", "because")
+    assert verdict(by_hand, Raw("missing")).status == "missing"
+    assert verdict(on_paper, Raw("missing")).status == "not_graded"
+    assert verdict(by_hand, np.zeros(3)).status == "failed"
+
+
+@pytest.mark.parametrize(
+    ("part", "words"),
+    [
+        (Part("t_x", "x?", 3, Manual(((2, "all"),)), lambda *_: ""), "has 3 points, its rubric 2"),
+        (Part("t_x", "x?", 3, Configurations(2), lambda *_: [[0, 0]]), "take a check"),
+    ],
+)
+def test_a_declaration_that_cannot_be_marked_is_refused(part, words):
+    with pytest.raises(ExerciseError, match=words):
+        exercise_of(part)
+
+
+@pytest.mark.parametrize(
+    ("answer", "value", "words"),
+    [
+        (Choice(("a", "b")), "c", "one of the letters a, b"),
+        (Formulas((2,), ("q1",)), ["sin(q2)", "0"], "q2"),
+        (Formulas((2,), ("q1",)), ["sin(q1)"], r"formulas of shape \(2,\)"),
+        (Function("(x)", lambda _: CALLS), 3, "takes a function"),
+        (Manual(((1, "x"),)), 3, "takes text"),
+    ],
+)
+def test_a_reference_of_another_kind_is_refused(answer, value, words):
+    with pytest.raises(ExerciseError, match=words):
+        references(exercise_of(Part("t_x", "x?", 1, answer, lambda *_: value)), {})
+
+
+def test_nothing_can_need_a_function():
+    with pytest.raises(ExerciseError, match="nothing can be computed from it"):
+        exercise_of(FUNCTION, Part("t_y", "y?", 1, Numbers(()), lambda *_: 1, needs=("t_x",)))
+
+
+def test_numbers_follow_from_the_own_formulas():
+    first = formulas()
+    second = Part(
+        "t_J", "J?", 4, Numbers((3, 2), decimals=3),
+        lambda v, given: given["t_x"].at({"l1": v["l1"], "l2": v["l2"], "q1": v["q"][0], "q2": v["q"][1]}),
+        needs=("t_x",),
+    )  # fmt: skip
+    exercise = exercise_of(first, second, draw=lambda rng: {**V, "l1": float(rng.uniform(0.4, 1.2))})
+    rows = [list(row) for row in J]
+    rows[0][0] = "l1*sin(q1) + l2*sin(q1 + q2)"
+    own = references(exercise, V)["t_J"] * [[-1, 1], [1, 1], [1, 1]]
+    first_verdict, second_verdict = mark(exercise, V, {"t_x": Raw("text", rows), "t_J": Raw("num", own)})
+    assert (first_verdict.points, second_verdict.points) == (3, 4)
+    assert "follows from your own t_x" in said(second_verdict)
