@@ -20,6 +20,11 @@ from .files import write_atomically
 Mode = Literal["practice", "graded", "exam"]
 SAFE_NAME = re.compile(r"[A-Za-z0-9]([A-Za-z0-9._-]{0,62}[A-Za-z0-9_-])?")
 DEVICE = re.compile(r"(con|prn|aux|nul|com[0-9]|lpt[0-9])(\..*)?", re.IGNORECASE)  # no file name on Windows
+SCRIPT_NAME = re.compile(r"[A-Za-z]\w{0,62}", re.ASCII)
+MATLAB_WORD = re.compile(
+    "break|case|catch|classdef|continue|else|elseif|end|for|function|global|if|otherwise|parfor|persistent|return|spmd|"
+    "switch|try|while"
+)
 Name = Annotated[str, Field(pattern=rf"^{SAFE_NAME.pattern}$")]
 
 
@@ -32,11 +37,15 @@ class _Strict(BaseModel):
 
 
 class Sheet(_Strict):
-    """One hand-out: its exercises in order, and what a check may tell before the deadline."""
+    """One hand-out: its exercises in order, and what a check may tell before the deadline.
+
+    With `matlab`, students get a script to start from beside the notebook.
+    """
 
     name: Name
     title: str = ""
     mode: Mode = "graded"
+    matlab: bool = False
     exercises: Annotated[tuple[str, ...], Field(min_length=1)]
 
 
@@ -114,6 +123,11 @@ def read_settings(path: Path) -> Settings:
             raise CourseError(f"{path}: two sheets are called {sheet.name!r}; a sheet takes a name of its own")
         if DEVICE.fullmatch(sheet.name):
             raise CourseError(f"{path}: a sheet cannot be called {sheet.name!r}: no file can, on Windows")
+        if sheet.matlab and (not SCRIPT_NAME.fullmatch(sheet.name) or MATLAB_WORD.fullmatch(sheet.name)):
+            raise CourseError(
+                f"{path}: a sheet with matlab = true takes a name that MATLAB can run: letters, digits and '_', at "
+                f"most 63, starting with a letter, and no word of its language; got {sheet.name!r}"
+            )
     return settings
 
 

@@ -11,6 +11,7 @@ from .config import Course, CourseError, Sheet, Student
 from .files import write_atomically
 from .gradebook import Gradebook
 from .notebook import notebooks
+from .starter_matlab import starter
 from .variant import Record, canonical, draw_record
 
 
@@ -43,7 +44,10 @@ def exercises_of(course: Course, sheet: Sheet) -> list[Exercise]:
 def generate(
     course: Course, gradebook: Gradebook, sheets: tuple[Sheet, ...], step: Callable[[], None] = lambda: None
 ) -> list[Released]:
-    """A notebook and a solution for every student on every sheet; `step` is called after each."""
+    """A notebook, a solution and, where asked, a MATLAB script for every student on every sheet.
+
+    `step` is called after each.
+    """
     done: list[Released] = []
     for sheet in sheets:
         exercises = exercises_of(course, sheet)
@@ -100,6 +104,9 @@ def _release(
     solution = course.folder / "solutions" / student.id / f"{sheet.name}.ipynb"
     pairs = list(zip(exercises, (record.numbers for record in records), strict=True))
     new = not path.exists()
+    script = path.with_name(f"{sheet.name}.m")
+    if sheet.matlab and not script.exists():
+        write_atomically(script, starter(course.settings.title, sheet, student, pairs))
     if new or not solution.exists():
         handout, worked = notebooks(course.settings.title, sheet, student, pairs)
         write_atomically(solution, worked)

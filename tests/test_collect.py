@@ -400,7 +400,7 @@ def test_a_text_that_is_slow_to_print_is_tried_once(monkeypatch):
 
 def test_the_runner_has_the_limits_of_the_wire():
     text = RUNNER.read_text(encoding="utf-8")
-    names, values = re.search(r"^(MAX_ELEMENTS.*) = (.*?)  #", text, re.MULTILINE).groups()
+    ((names, values),) = re.findall(r"^(MAX_ELEMENTS.*) = (.*?)  #", text, re.MULTILINE)
     assert [int(x) for x in values.split(",")] == [
         getattr(wire, name, None) or getattr(ask, name) for name in names.split(", ")
     ]

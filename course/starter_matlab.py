@@ -1,0 +1,217 @@
+"""A sheet's starting point for MATLAB: numbers, blanks and the line that saves what is handed in."""
+
+import math
+import re
+import textwrap
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any
+
+from ..exercises.answers import Choice, Conditions, Configurations, Formulas, Function, Manual
+from ..exercises.exercise import Exercise, Numbers, Part, TableOf
+from .config import SCRIPT_NAME, CourseError, Sheet, Student
+from .escape import printable
+
+Pair = tuple[Exercise, dict[str, Any]]
+WIDTH = 100
+UNREADABLE = ("$", "\\", "|", "](", "<")  # formulas, tables, links and markup: those are read in the notebook
+EXAMPLE = "{'q1 + pi', 0.25, 'd1', 'pi/3'; ...}"
+
+
+def starter(course: str, sheet: Sheet, student: Student, pairs: Sequence[Pair]) -> str:
+    """The text of a MATLAB script, a section for every exercise; the same for the same student, every time.
+
+    Raises:
+        CourseError: a variable has a name that MATLAB does not take, or a drawn number that it cannot be given.
+    """
+    parts = [part for exercise, _ in pairs for part in exercise.asked]
+    handed_in = [part for part in parts if not _on_paper(part)]
+    for name in [part.variable for part in handed_in]:
+        if not SCRIPT_NAME.fullmatch(name):
+            raise CourseError(f"sheet {sheet.name}: {name} is no name in MATLAB (ASCII, at most 63 characters)")
+    lines = [*_heading(course, sheet, student), ""]
+    for number, (exercise, v) in enumerate(pairs, 1):
+        lines += [f"%% {number}. {_one_line(exercise.title)} ({_points(exercise.points)})"]
+        lines += [*_statement(exercise, sheet, v), *_given(exercise, v), ""]
+        for part in exercise.asked:
+            lines += [*_blank(part, v), ""]
+    return "\n".join([*lines, *_saving(sheet, handed_in)]) + "\n"
+
+
+def _heading(course: str, sheet: Sheet, student: Student) -> Iterator[str]:
+    yield from _comment(sheet.title or sheet.name)
+    yield from _comment(f"{course}, sheet {sheet.name}, {student.name} ({student.id})")
+    yield "%"
+    yield from _comment(
+        f"The questions with formulas and figures stand in {sheet.name}.ipynb. The numbers below are yours alone. Fill "
+        f"in the blanks, keep the names of the variables, run the whole script, and hand in {sheet.name}.mat."
+    )
+    yield from _comment(
+        "Units are metres, radians and seconds. Text stands in single quotes: text in double quotes and symbolic "
+        "objects cannot be read outside MATLAB; char(...) turns both into text. What is left empty is not answered."
+    )
+
+
+def _statement(exercise: Exercise, sheet: Sheet, v: dict[str, Any]) -> Iterator[str]:
+    text = exercise.statement(v)
+    if _readable(text):
+        for paragraph in re.split(r"\n\s*\n", text):
+            yield from _comment(paragraph)
+    else:
+        yield from _comment(f"The question: {sheet.name}.ipynb, number and title as here.")
+
+
+def _given(exercise: Exercise, v: dict[str, Any]) -> Iterator[str]:
+    """The printed numbers, under the names that they have in the notebook."""
+    for name, unit in exercise.units.items():
+        if name in v:
+            units = ", ".join(dict.fromkeys(_units(unit)))
+            yield f"{exercise.slug}_{name} = {literal(v[name])};  % [{_one_line(units)}]"
+
+
+def _units(unit: Any) -> Iterator[str]:
+    if isinstance(unit, str):
+        yield unit
+    else:
+        for inner in unit:
+            yield from _units(inner)
+
+
+def literal(value: Any) -> str:
+    """A drawn value as MATLAB writes it: numbers, text, rows; lists of matrices and of mixed things are cell arrays.
+
+    Raises:
+        CourseError: it is of another kind.
+    """
+    if value is None:
+        return "[]"
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, int | float):
+        return {math.inf: "Inf", -math.inf: "-Inf"}.get(value, "NaN" if value != value else repr(value))  # noqa: PLR0124
+    if isinstance(value, str):
+        return _char(value)
+    if isinstance(value, list | tuple):
+        return _rows([*value])  # pyright: ignore[reportUnknownArgumentType]
+    raise CourseError(f"a number of a sheet with matlab = true takes numbers, text and lists, got {value!r}")
+
+
+def _rows(items: list[Any]) -> str:
+    if all(isinstance(item, int | float) for item in items):
+        return f"[{', '.join(map(literal, items))}]"
+    rows: list[Any] = [item for item in items if isinstance(item, list | tuple) and item]
+    numeric = len(rows) == len(items) and all(isinstance(x, int | float) for row in rows for x in row)
+    if numeric and len({len(row) for row in rows}) == 1:
+        return f"[{'; '.join(', '.join(map(literal, row)) for row in rows)}]"
+    return f"{{{', '.join(map(literal, items))}}}"
+
+
+def _char(text: str) -> str:
+    """Text in single quotes, which end at nothing but a single quote; line breaks are joined in by number."""
+    pieces = ["'" + printable(line).replace("'", "''") + "'" for line in text.splitlines()] or ["''"]
+    return pieces[0] if len(pieces) == 1 else f"[{', 10, '.join(pieces)}]"
+
+
+def _blank(part: Part, v: dict[str, Any]) -> Iterator[str]:
+    """Comments and a blank for one part."""
+    head = f"{part.variable} ({_points(part.points)})"
+    yield from _comment(f"{head}: {part.prompt}." if _readable(part.prompt) else head)
+    if _on_paper(part):
+        yield from _comment("On paper: nothing is expected in this file.")
+        return
+    yield from BLANKS[type(part.answer)](part.variable, part.answer, v)
+
+
+def _on_paper(part: Part) -> bool:
+    return isinstance(part.answer, Manual) and part.answer.on_paper
+
+
+def _numbers(name: str, answer: Numbers, _: Any) -> Iterator[str]:
+    decimals = f"{answer.decimals} decimals"
+    if len(answer.shape) > 2:
+        count, inner = answer.shape[0], " x ".join(map(str, answer.shape[1:]))
+        yield f"{name} = {{}};  % {count} matrices of {inner} numbers: {{first, second, ...}}; {decimals}"
+        return
+    rows = ", linear rows above angular" if answer.shape[:1] == (6,) else ""
+    shape = " x ".join(map(str, answer.shape)) + " numbers" if answer.shape else "one number"
+    yield f"{name} = [];  % {shape}{rows}; {decimals}"
+
+
+def _table(name: str, answer: TableOf, _: Any) -> Iterator[str]:
+    yield f"{name} = {{}};  % {len(answer.kinds)} rows theta, d, a, alpha, such as {EXAMPLE}"
+
+
+def _formulas(name: str, answer: Formulas, _: Any) -> Iterator[str]:
+    shape = " x ".join(map(str, answer.shape)) + " formulas" if answer.shape else "a formula"
+    whole = "a symbolic matrix" if answer.shape else "a symbolic one"
+    yield f"{name} = '';  % {shape} as text: '...', or char(...) of {whole}"
+
+
+def _choice(name: str, answer: Choice, _: Any) -> Iterator[str]:
+    for letter, option in zip(answer.letters, answer.options, strict=False):
+        yield from _comment(f"  {letter}: {option if _readable(option) else 'see the notebook'}")
+    yield f"{name} = '';  % one of {', '.join(answer.letters)}"
+
+
+def _conditions(name: str, _: Conditions, __: Any) -> Iterator[str]:
+    yield f"{name} = {{''}};  % equations, such as {{'sin(q1) = 0', 'q2 = q3'}}"
+
+
+def _configurations(name: str, answer: Configurations, _: Any) -> Iterator[str]:
+    numbers = "1 number" if answer.joints == 1 else f"{answer.joints} numbers"
+    yield f"{name} = [];  % a row of {numbers} for every configuration; {answer.decimals} decimals"
+
+
+def _function(name: str, answer: Function, v: Any) -> Iterator[str]:
+    calls = [call for group in answer.published(v).values() for call in group] if answer.published else []
+    if not calls:
+        yield f"{name} = {{}};  % a Python function {name}{_one_line(answer.signature)}: hand in the notebook"
+        return
+    yield from _comment(f"Results of {name}{answer.signature} for the arguments in each cell of {name}_inputs:")
+    yield f"{name}_inputs = {{ ..."
+    yield from (f"    {{{', '.join(map(_argument, call))}}}; ..." for call in calls)
+    yield "};"
+    yield f"{name} = cell(1, {len(calls)});  % {name}{{k}} = result for {name}_inputs{{k}}{{:}}"
+
+
+def _argument(value: Any) -> str:
+    return literal(value.tolist() if hasattr(value, "tolist") else value)
+
+
+def _manual(name: str, _: Manual, __: Any) -> Iterator[str]:
+    yield f"{name} = '';  % your text; ['first line' newline 'second line'] has two lines"
+
+
+BLANKS: dict[type, Callable[[str, Any, dict[str, Any]], Iterator[str]]] = {
+    Numbers: _numbers,
+    TableOf: _table,
+    Formulas: _formulas,
+    Choice: _choice,
+    Conditions: _conditions,
+    Configurations: _configurations,
+    Function: _function,
+    Manual: _manual,
+}
+
+
+def _saving(sheet: Sheet, parts: Sequence[Part]) -> Iterator[str]:
+    yield f"%% Saving {sheet.name}.mat, the file to hand in"
+    names = [f"'{part.variable}'" for part in parts]
+    yield ", ...\n    ".join([f"save('{sheet.name}.mat'", *names, "'-v7')"])
+
+
+def _readable(text: str) -> bool:
+    return not any(mark in text for mark in UNREADABLE)
+
+
+def _comment(text: str) -> Iterator[str]:
+    """Comment lines; whatever the text holds, each of its lines begins with a percent sign."""
+    plain = _one_line(text).replace("**", "").replace("`", "")
+    yield from textwrap.wrap(plain, WIDTH, initial_indent="% ", subsequent_indent="% ", break_on_hyphens=False)
+
+
+def _one_line(text: str) -> str:
+    return printable(" ".join(text.split()))
+
+
+def _points(points: float) -> str:
+    return f"{points:g} point" if points == 1 else f"{points:g} points"
