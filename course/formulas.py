@@ -53,8 +53,8 @@ def given_number(symbol: str, value: Any, units: Any) -> str:
     if not isinstance(value, list):
         return rf"{symbol} = {value}{unit}"
     if isinstance(value[0], list):
-        body = r" \\ ".join(" & ".join(map(str, row)) for row in value)
-        return rf"{symbol} = \begin{{bmatrix}} {body} \end{{bmatrix}}{unit}"
+        decimals = max(len(str(x).partition(".")[2]) for row in value for x in row)
+        return rf"{symbol} = {matrix(value, decimals)}{unit}"
     if len(kinds) == 1:
         return rf"{symbol} = ({COMMA.join(map(str, value))}){unit}"
     inside = COMMA.join(rf"{x}\,{UNIT_LATEX[unit]}" for x, unit in zip(value, units, strict=True))

@@ -58,6 +58,8 @@ def _worked(exercise: Exercise, v: dict[str, Any]) -> Iterator[Any]:
     for part in exercise.asked:
         yield _markdown(_prompt(part, hints=False))
         yield from map(_markdown, worked_steps(part, v, answers))
+        if isinstance(part.answer, Manual):
+            yield _markdown("\n".join(f"- {_points(points)}: {text}" for points, text in part.answer.rubric))
         yield _code(answer_code(part, answers[part.variable]), part.variable)
 
 
@@ -71,10 +73,17 @@ def given_cell(exercise: Exercise, v: dict[str, Any]) -> str:
     lines = [f"# Your numbers for {exercise.slug}, in metres, radians and seconds. Run this cell, do not change it."]
     for name, unit in exercise.units.items():
         if name in v:
-            value = f"np.array({v[name]!r})" if isinstance(v[name], list) else repr(v[name])
+            value = f"np.array({_rows(v[name])})" if isinstance(v[name], list) else repr(v[name])
             shown = ", ".join(dict.fromkeys(np.array(unit).ravel().tolist()))
             lines.append(f"{exercise.slug}_{name} = {value}  # [{shown}]")
     return "\n".join(lines)
+
+
+def _rows(numbers: list[Any]) -> str:
+    """A list in one line, a matrix with a line for every row."""
+    if not isinstance(numbers[0], list):
+        return repr(numbers)
+    return "[\n" + "".join(f"    {row!r},\n" for row in numbers) + "]"
 
 
 def worked_steps(part: Part, v: dict[str, Any], answers: dict[str, Any]) -> Iterator[str]:
@@ -128,7 +137,7 @@ def _question(number: int, exercise: Exercise, v: dict[str, Any]) -> str:
 def _given_numbers(exercise: Exercise, v: dict[str, Any]) -> tuple[str, ...]:
     """Numbers and vectors in one line, every matrix on its own."""
     texts = {
-        name: given_number(exercise.symbols.get(name) or _symbol(name), v[name], unit)
+        name: given_number(exercise.symbols.get(name) or _symbol(name, v[name]), v[name], unit)
         for name, unit in exercise.units.items()
         if name in v
     }
@@ -137,8 +146,13 @@ def _given_numbers(exercise: Exercise, v: dict[str, Any]) -> tuple[str, ...]:
     return (f"**Your numbers:** {line}", *matrices)
 
 
-def _symbol(name: str) -> str:
-    return r"\mathbf{q}" if name == "q" else latex_name(name)
+def _symbol(name: str, value: Any) -> str:
+    """LaTeX of a printed name; vectors and matrices are bold."""
+    stem, index, *rest = [*latex_name(name).partition("_")]
+    if not isinstance(value, list):
+        return latex_name(name)
+    bold = rf"\boldsymbol{{{stem}}}" if stem.startswith("\\") else rf"\mathbf{{{stem}}}"
+    return "".join([bold, index, *rest])
 
 
 def _points(points: float) -> str:
@@ -163,8 +177,6 @@ def _prompt(part: Part, *, hints: bool) -> str:
     if isinstance(part.answer, Choice):
         options = zip(part.answer.letters, part.answer.options, strict=True)
         blocks.append("\n".join(f"- **{letter})** {option}" for letter, option in options))
-    if isinstance(part.answer, Manual):
-        blocks.append("\n".join(f"- {_points(points)}: {text}" for points, text in part.answer.rubric))
     if hints and part.hints:
         listed = "\n".join(f"{i}. {hint}" for i, hint in enumerate(part.hints, 1))
         blocks.append(f"<details><summary>Hints</summary>\n\n{listed}\n\n</details>")
@@ -175,7 +187,7 @@ def _asked(part: Part) -> str:
     if isinstance(part.answer, Numbers) and part.answer.decimals:
         return f" Give {part.answer.decimals} decimals."
     if isinstance(part.answer, Manual):
-        return " Marked by hand:"
+        return " On paper, marked by hand." if part.answer.on_paper else " Marked by hand."
     return ""
 
 

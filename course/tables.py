@@ -65,7 +65,7 @@ def remark(result: Result, *, public: bool = False) -> str:
     """The reason why nothing was marked, else the first finding; with `public`, one that the student sees too."""
     if result.reason:
         return result.reason
-    for verdict in result.verdicts:
+    for verdict in (verdict for verdict in result.verdicts if verdict.status != "correct"):
         for finding in verdict.findings:
             if not (public and finding.private):
                 return f"{verdict.part}: {finding.text.partition(NEWLINE)[0]}"

@@ -15,12 +15,13 @@ from numpy.typing import NDArray
 from ..solutions.chain import Chain, elementary, product
 from .drawing import Dimension, Drawing, Triad, point
 from .draws import CLEARANCE, angles, length, until
-from .exercise import Exercise, ExerciseError, Formulas, Given, Mistake, Numbers, Part, Step, Variant
+from .exercise import Exercise, ExerciseError, Formulas, Given, Mistake, Numbers, Outcome, Part, Step, Variant
 
 Array = NDArray[np.float64]
 NAMES = ("l1", "l2", "beta", "q1", "q2")
+Form = tuple[int, int, int]
 SENSES = ((1, -1), (-1, 1), (-1, -1))  # +1 counter-clockwise, seen against z of frame 0
-FORMS = tuple((*senses, offset) for senses, offset in combinations(SENSES, (0, 90, -90)))
+FORMS: tuple[Form, ...] = tuple((*senses, offset) for senses, offset in combinations(SENSES, (0, 90, -90)))
 SIGN = {1: "+", -1: "-"}
 QUARTER = {0: "", 90: " + pi/2", -90: " - pi/2"}
 BENT = 0.3  # smallest |sin| of q2 and of the angle between the links
@@ -43,12 +44,13 @@ def draw(rng: np.random.Generator) -> dict[str, Any]:
         beta, *q = angles(rng, 3)
         return {"form": form, "l1": l1, "l2": l2, "beta": beta, "q": q}
 
-    return until(arm, clear)
+    drawn: dict[str, Any] = until(arm, clear)
+    return drawn
 
 
-def form_of(v: Variant) -> tuple[int, int, int]:
+def form_of(v: Variant) -> Form:
     """Senses of joints 1 and 2 and the angle of link 2 to link 1 at q2 = 0 [deg]."""
-    return FORMS[v["form"]]
+    return FORMS[int(v["form"])]
 
 
 def link_angles(v: Variant) -> tuple[float, float]:
@@ -134,6 +136,11 @@ def in_wrong_order(v: Variant, _: Given) -> Array:
     return np.array([elbow, hand @ elbow])
 
 
+def half_paid(v: Variant, given: Given, value: Any) -> Outcome:
+    """A check by which a product in the wrong order, whose rotation is right by chance, earns nothing for it."""
+    return Outcome(share=0.5 if np.abs(value - in_wrong_order(v, given)).max() <= 2e-3 else None)
+
+
 def as_printed(v: Variant, _: Given) -> Array:
     q1, q2 = v["q"]
     return multiplied(*links(v, v["beta"] + q1, v["beta"] + q1 + q2))
@@ -154,12 +161,6 @@ def jacobian(v: Variant, given: Given) -> Array:
 def senses_forgotten(v: Variant, given: Given) -> Array:
     sense1, sense2, _ = form_of(v)
     return jacobian(v, given) * [sense1, sense2]
-
-
-def in_tool_axes(v: Variant, given: Given) -> Array:
-    turn = given["planar_2r_T"][1, :3, :3].T
-    J = jacobian(v, given)
-    return np.concatenate([turn @ J[:3], turn @ J[3:]])
 
 
 def explain_pose(v: Variant, given: Given) -> list[Step]:
@@ -266,7 +267,7 @@ coordinates of the tool point in frame 0, and $\theta$ is the angle from $\mathb
 MOUNTING = "The angle beta of the mounting does not seem to be in it; where does link 1 point at q1 = 0?"
 SENSE = "Each joint's angle seems to count counter-clockwise; look again at the positive senses."
 PRINTED = (
-    "These look like the formulas of an arm whose joints both count counter-clockwise and whose links are in line at q2 = 0; "
+    "This looks like an arm whose joints both count counter-clockwise and whose links are in line at q2 = 0; "
     "look again at the positive senses and at where q2 is zero."
 )
 
@@ -338,6 +339,7 @@ EXERCISE = Exercise(
             3,
             Numbers((2, 4, 4), [[["1", "1", "1", "m"]] * 3 + [["1"] * 4]]),
             transforms,
+            check=half_paid,
             hints=("Turn first, then go along the link.", r"$\mathbf T_0^2 = \mathbf T_0^1\,\mathbf T_1^2$"),
             mistakes=(
                 Mistake(
@@ -372,7 +374,6 @@ EXERCISE = Exercise(
                     "The lever arm of column 1 seems to end at joint 2; it ends at the tool point.",
                     lambda v, given: jacobian_from(lambda o1, o2: (o1, o2 - o1), v, given),
                 ),
-                Mistake("This is the Jacobian in the axes of frame 2; those of frame 0 are asked.", in_tool_axes),
             ),
             explain=explain_jacobian,
         ),

@@ -299,6 +299,7 @@ EXERCISE = Exercise(
     draw=draw,
     statement=statement,
     units={"q": ["rad"] * 6, "qdot_b": ["rad/s"] * 6, "vx_c": "m/s"},
+    symbols={"qdot_b": r"\dot{\mathbf{q}}_b", "vx_c": "v_{x,c}"},
     scale=lambda _: ROBOT.parameters["a2"] + ROBOT.parameters["d4"],
     objectives=(
         "Compute the Jacobian of a six-axis robot from its table.",

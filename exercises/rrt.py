@@ -1,68 +1,45 @@
-"""S3 5.4.1: an RRT robot from its drawing: Denavit-Hartenberg table, transforms, Jacobian.
+"""S3 5.4.1: an RRT robot from its drawing: Denavit-Hartenberg table, transforms, Jacobian, singular postures.
 
 Structure and numbers are drawn: the sense of the axes, and which of the offsets a1, d2 and l3 the arm has. The drawing
 gives base frame, positive senses and home pose, and the sheet asks for joint variables without offsets, so that the
 table is unique.
 """
 
-from functools import lru_cache
-from typing import Any
-
 import numpy as np
 from numpy.typing import NDArray
 
-from ..solutions.robots import ROBOTS, Robot
+from ..solutions.expression import Expression, parse
+from ..solutions.expression_array import ExpressionArray, same_formulas
 from ..solutions.table import Table
-from .drawing import Dimension, Drawing, Triad, point
-from .draws import angles, length
-from .exercise import Exercise, Given, Mistake, Numbers, Part, Step, TableOf, Variant
+from .exercise import (
+    Conditions,
+    Exercise,
+    Formulas,
+    Given,
+    Mistake,
+    Numbers,
+    Outcome,
+    Part,
+    Step,
+    TableOf,
+    Variant,
+)
+from .properties import proportional
+from .rrt_arm import FORMS, LENGTHS, draw, drawings, lengths, robot_of
+from .rrt_formulas import (
+    columns_of_frames,
+    determinant_by_elevation,
+    determinant_formula,
+    determinant_of,
+    jacobian_of_table,
+    singular_conditions,
+    turning_slide,
+)
 
 Array = NDArray[np.float64]
-LENGTHS = ("d1", "a1", "d2", "l3")
-OFFSETS = ((), ("a1",), ("d2",), ("l3",), ("a1", "d2"), ("a1", "l3"), ("d2", "l3"))
-FORMS = tuple((alpha1, offsets) for offsets in OFFSETS for alpha1 in (-90, 90))
 KINDS = "RRP"
-
-
-def draw(rng: np.random.Generator) -> dict[str, Any]:
-    """An arm of one of 14 forms (which offsets, which sense of axis 2), away from its singular postures."""
-    form = int(rng.integers(len(FORMS)))
-    alpha1, offsets = FORMS[form]
-    while True:
-        v: dict[str, Any] = {"form": form, "d1": length(rng)}
-        v |= {name: length(rng, 0.2, 0.5) for name in offsets}
-        v["q"] = [*angles(rng, 2), length(rng)]
-        stretch = v["q"][2] + v.get("l3", 0.0)
-        reach = v.get("a1", 0.0) - np.sign(alpha1) * stretch * np.sin(v["q"][1])
-        if abs(reach) > 0.2:
-            return v
-
-
-def lengths(v: Variant) -> dict[str, float]:
-    return {name: v[name] for name in LENGTHS if name in v}
-
-
-@lru_cache
-def robot(form: int) -> Robot:
-    """The arm of one form, with every length 1 m by default."""
-    alpha1, offsets = FORMS[form]
-    first, second = ("pi/2", "-pi/2") if alpha1 > 0 else ("-pi/2", "pi/2")
-    return Robot(
-        name="rrt",
-        title="RRT robot",
-        parameters=dict.fromkeys((name for name in LENGTHS if name in ("d1", *offsets)), 1.0),
-        rows=(
-            ("q1", "d1", "a1" if "a1" in offsets else "0", first),
-            ("q2", "d2" if "d2" in offsets else "0", "0", second),
-            ("0", "q3 + l3" if "l3" in offsets else "q3", "0", "0"),
-        ),
-        limits=ROBOTS["rrt_spherical"].limits,
-        source="S3 5.4.1; figure 5.2 is missing, the form is drawn for each student",
-    )
-
-
-def robot_of(v: Variant) -> Robot:
-    return robot(v["form"])
+NAMES = (*LENGTHS, "q1", "q2", "q3")
+LIMITS = {"q1": (-np.pi, np.pi), "q2": (-np.pi, np.pi), "q3": (-1.5, 1.5)}  # of the singular postures asked [rad, m]
 
 
 def table(v: Variant, _: Given) -> Table:
@@ -99,6 +76,38 @@ def link_transforms(v: Variant, given: Given) -> Array:
     """From each frame to the next, in place of from the fixed frame."""
     poses: Array = given["rrt_dh"].frames(lengths(v), v["q"])
     return np.linalg.inv(poses[:-1]) @ poses[1:]
+
+
+def jacobian_in_formulas(v: Variant, given: Given) -> ExpressionArray:
+    return jacobian_of_table(given["rrt_dh"], robot_of(v))
+
+
+def determinant(v: Variant, given: Given) -> ExpressionArray:
+    return determinant_of(given["rrt_J_symbolic"], robot_of(v))
+
+
+def named_multiple(v: Variant, given: Given, value: ExpressionArray) -> Outcome:
+    """Names a determinant that lacks a constant factor; right and wrong stay with the comparison."""
+    arm, wanted = robot_of(v), determinant(v, given)
+    if proportional(value, wanted, arm.names) and not same_formulas(value, wanted, arm.names).all():
+        return Outcome(
+            finding="It is the determinant times a constant: it is zero in the right postures, but the determinant "
+            "itself is asked."
+        )
+    return Outcome()
+
+
+def singular(v: Variant, given: Given) -> tuple[Expression, ...]:
+    """The factors of the arm's own determinant; any other determinant as it is."""
+    arm, own = robot_of(v), given["rrt_det"]
+    if same_formulas(own, determinant_formula(arm), arm.names).all():
+        return tuple(parse(text, arm.names) for text in singular_conditions(arm))
+    return own.entries
+
+
+def singular_by_elevation(v: Variant, _: Given) -> tuple[Expression, ...]:
+    arm = robot_of(v)
+    return tuple(parse(text, arm.names) for text in singular_conditions(arm, "cos(q2)"))
 
 
 def explain_table(v: Variant, given: Given) -> list[Step]:
@@ -149,43 +158,51 @@ def explain_jacobian(v: Variant, given: Given) -> list[Step]:
     ]
 
 
-def drawings(v: Variant) -> tuple[Drawing, ...]:
-    home = (0.0, 0.0, v["q"][2])
-    return (
-        _drawing(v, home, "Home pose, q1 = q2 = 0, with the positive sense of each joint.", with_lengths=True),
-        _drawing(v, tuple(v["q"]), "The same robot at your q.", with_lengths=False),
-    )
+def explain_jacobian_formulas(v: Variant, _: Given) -> list[Step]:
+    closed = robot_of(v).symbolic()
+    return [
+        Step(
+            r"The tool point in closed form is the last column of $\mathbf T_0^3$:",
+            r"\mathbf o_3",
+            closed.T[:3, 3],
+        ),
+        Step(
+            r"The linear rows are its derivatives with respect to $q_1, q_2, q_3$, which is the same as "
+            r"$\mathbf z_{i-1} \times (\mathbf o_3 - \mathbf o_{i-1})$ and $\mathbf z_2$. The angular rows are $\mathbf z_0$, "
+            r"$\mathbf z_1$ and zeros:",
+            r"\mathbf J",
+            closed.J,
+        ),
+    ]
 
 
-def _drawing(v: Variant, q: tuple[float, ...], caption: str, *, with_lengths: bool) -> Drawing:
-    arm = robot_of(v)
-    poses = arm.frames(lengths(v), q)
-    return Drawing(
-        arm.chain(lengths(v)),
-        q,
-        caption,
-        f"RRT arm: a vertical revolute joint, a horizontal revolute joint, a slide. {caption}",
-        (Triad(poses[0], "0"), *((Triad(poses[-1], "tool"),) if with_lengths else ())),
-        _dimensions(v, poses) if with_lengths else (),
-    )
+def explain_determinant(v: Variant, given: Given) -> list[Step]:
+    return [
+        Step(
+            r"Expand $\det \mathbf J_v$ along its third row, whose first entry is zero, and use "
+            r"$\sin^{2} q_1 + \cos^{2} q_1 = 1$ and $\sin^{2} q_2 + \cos^{2} q_2 = 1$. It does not depend on $q_1$, since turning the "
+            r"whole arm about axis 1 changes no lengths:",
+            r"\det \mathbf J_v",
+            given["rrt_det"].sympy(),
+        )
+    ]
 
 
-def _dimensions(v: Variant, poses: Array) -> tuple[Dimension, ...]:
-    """One line for every length and for the stroke q3, along the arm at home."""
-    corner = poses[0, :3, 3]
-    lines: list[Dimension] = []
-    for name, size, direction in (
-        ("d1", v["d1"], poses[0, :3, 2]),
-        ("a1", v.get("a1", 0.0), poses[1, :3, 0]),
-        ("d2", v.get("d2", 0.0), poses[1, :3, 2]),
-        ("l3", v.get("l3", 0.0), poses[2, :3, 2]),
-        ("q3", v["q"][2], poses[2, :3, 2]),
-    ):
-        end = corner + size * direction
-        if size:
-            lines.append(Dimension(point(corner), point(end), name))
-        corner = end
-    return tuple(lines)
+def explain_singular(v: Variant, given: Given) -> list[Step]:
+    import sympy  # pyright: ignore[reportMissingTypeStubs]
+
+    way, reach = (sympy.Eq(condition.sympy(), 0, evaluate=False) for condition in given["rrt_singular"])  # pyright: ignore[reportUnknownVariableType]
+    return [
+        Step(
+            "A product is zero where one of its factors is. First, the hand lies on axis 2, which then cannot move it:",
+            formula=way,
+        ),
+        Step(
+            "Second, the hand lies in the plane through axis 1 that is parallel to axis 2: joint 1 moves it only in the plane "
+            "of joints 2 and 3. An offset along axis 2 changes nothing about that.",
+            formula=reach,
+        ),
+    ]
 
 
 def statement(_: Variant) -> str:
@@ -209,8 +226,9 @@ EXERCISE = Exercise(
     objectives=(
         "Read a Denavit–Hartenberg table off a drawing.",
         "Build the Jacobian of an arm with a prismatic joint from its frames.",
+        "Find the postures in which an arm is singular from a determinant.",
     ),
-    minutes=45,
+    minutes=75,
     robot="rrt_offset",
     drawings=drawings,
     parts=(
@@ -262,6 +280,79 @@ EXERCISE = Exercise(
                 "The axis of joint i is the z axis of frame i - 1.",
             ),
             explain=explain_jacobian,
+        ),
+        Part(
+            "rrt_J_symbolic",
+            r"The same 6 × 3 Jacobian $\mathbf J$ (tool point, base frame, linear rows above angular rows) for any $\mathbf q$: "
+            r"formulas in the names of your lengths and q1, q2, q3, as six rows of three texts",
+            4,
+            Formulas((6, 3), NAMES),
+            jacobian_in_formulas,
+            mistakes=(
+                Mistake(
+                    "Column 3: look again at what a slide does to the orientation of the hand.",
+                    lambda v, _: turning_slide(robot_of(v)),
+                ),
+                Mistake(
+                    "Column i seems to be taken from frame i; in the standard convention the axis of joint i is z of "
+                    "frame i - 1.",
+                    lambda v, _: columns_of_frames(robot_of(v), late=1),
+                ),
+                Mistake(
+                    "The lever arm of a column seems to end at the next frame; where does the point lie whose velocity is "
+                    "asked?",
+                    lambda v, _: columns_of_frames(robot_of(v), to_hand=False),
+                ),
+            ),
+            needs=("rrt_dh",),
+            hints=(
+                "The linear rows are also the derivatives of the tool point's coordinates.",
+                "Put in your numbers and compare with the Jacobian above.",
+            ),
+            explain=explain_jacobian_formulas,
+        ),
+        Part(
+            "rrt_det",
+            r"The determinant of the linear block $\mathbf J_v$ (rows 1 to 3 of $\mathbf J$), with its sign, as one formula in the names "
+            r"of your lengths and q1, q2, q3",
+            2,
+            Formulas((), NAMES),
+            determinant,
+            mistakes=(
+                Mistake(
+                    "It would be right if q2 were measured from another zero; look at the home pose again.",
+                    lambda v, _: determinant_by_elevation(robot_of(v)),
+                ),
+            ),
+            needs=("rrt_J_symbolic",),
+            check=named_multiple,
+            hints=(
+                "Expand along the row that holds a zero.",
+                "It does not depend on q1, so you may compute it for the q1 that makes it easy.",
+            ),
+            explain=explain_determinant,
+        ),
+        Part(
+            "rrt_singular",
+            r"All postures in which the linear block $\mathbf J_v$ is singular: a list of conditions in the names of your lengths and "
+            r"q1, q2, q3, each as text such as `'cos(q1) = 0'` or `'d1 + q3*q2 = 0'`; a posture is singular when one of them holds. "
+            r"Count postures with $q_1$ and $q_2$ from $-\pi$ to $\pi$ and $q_3$ from −1.5 m to 1.5 m, the slide running through "
+            r"to the other side",
+            3,
+            Conditions(NAMES, lambda _: LIMITS),
+            singular,
+            mistakes=(
+                Mistake(
+                    "They would be right if q2 were measured from another zero; look at the home pose again.",
+                    singular_by_elevation,
+                ),
+            ),
+            needs=("rrt_det",),
+            hints=(
+                "Where is the determinant zero? Take its factors one by one.",
+                "In such a posture the hand cannot move in one direction: which one, for each of your conditions?",
+            ),
+            explain=explain_singular,
         ),
     ),
 )

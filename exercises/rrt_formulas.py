@@ -1,12 +1,14 @@
-"""The RRT robot of S3 5.4.1 in formulas: Jacobian, determinant of its linear block, singular postures.
+# pyright: basic
+"""The RRT robot of S3 5.4.1 in formulas: Jacobian, determinant of its linear rows, singular postures.
 
-What follows from a student's own table or Jacobian is put together from formulas, never simplified: it is compared,
-not printed.
+What follows from a student's own table or Jacobian is put together, not simplified: it is compared, never printed.
 """
 
 from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from typing import Any
+
+import numpy as np
 
 from ..solutions.errors import KinegradeError
 from ..solutions.expression import Expression, parse
@@ -14,8 +16,16 @@ from ..solutions.expression_array import POINTS, ExpressionArray, expression_arr
 from ..solutions.robots import Robot
 from ..solutions.table import Table
 
-JOINTS = ("q1", "q2", "q3")
 CELLS = tuple(f"{cell}{i}" for i in (1, 2, 3) for cell in ("theta", "d", "a", "alpha"))
+VARIABLES = {"theta1": "q1", "theta2": "q2", "d3": "q3"}  # cells that hold a joint variable
+ANY_ARM = Robot(
+    name="rrt",
+    title="RRT robot of any shape",
+    parameters=dict.fromkeys((cell for cell in CELLS if cell not in VARIABLES), 1.0),
+    rows=tuple(tuple(VARIABLES.get(cell, cell) for cell in CELLS[start : start + 4]) for start in (0, 4, 8)),
+    limits=((-1.0, 1.0),) * 3,
+    source="standard Denavit-Hartenberg convention",
+)
 ENTRIES = tuple(f"x{row}{column}" for row in (1, 2, 3) for column in (1, 2, 3))
 DETERMINANT = parse(
     "x11*(x22*x33 - x23*x32) - x12*(x21*x33 - x23*x31) + x13*(x21*x32 - x22*x31)",
@@ -24,7 +34,7 @@ DETERMINANT = parse(
 
 
 class EasierError(KinegradeError):
-    """Nothing follows from own formulas that make the question easier than it is."""
+    """Nothing follows from own formulas that leave hardly anything to find out."""
 
 
 @lru_cache
@@ -34,124 +44,100 @@ def jacobian_formulas(arm: Robot) -> ExpressionArray:
 
 
 def jacobian_of_table(table: Table, arm: Robot) -> ExpressionArray:
-    """The 6 x 3 Jacobian that follows from a table; the closed one from the arm's own.
-
-    Raises:
-        EasierError: the table leaves less than half of what the arm's own Jacobian holds.
-    """
+    """The 6 x 3 Jacobian that follows from a table, the closed one from the arm's own. Raises EasierError."""
     closed = jacobian_formulas(arm)
     if table.rows == arm.table.rows:
         return closed
     cells = dict(zip(CELLS, (cell for row in table.rows for cell in row), strict=True))
-    general = jacobian_formulas(_any_arm())
-    own = {"q1": cells["theta1"], "q2": cells["theta2"], "q3": cells["d3"]} | cells
-    return _no_easier(ExpressionArray(tuple(put_in(entry, own) for entry in general.entries), (6, 3)), closed)
+    own = {VARIABLES.get(name, name): cell for name, cell in cells.items()}
+    entries = tuple(put_in(entry, own) for entry in jacobian_formulas(ANY_ARM).entries)
+    return _not_easier(ExpressionArray(entries, closed.shape), closed)
 
 
 def determinant_of(J: ExpressionArray, arm: Robot) -> ExpressionArray:
-    """Determinant of the linear rows of J (6, 3); the factored one where J is the arm's own.
-
-    Raises:
-        EasierError: it hardly depends on the posture.
-    """
-    factored = determinant_formula(arm)
+    """Determinant of the linear rows of J (6, 3), as a product where J is the arm's own. Raises EasierError."""
+    closed = determinant_formula(arm)
     if J is jacobian_formulas(arm):
-        return factored
-    entries = dict(zip(ENTRIES, J.entries[:9], strict=True))
-    return _no_easier(ExpressionArray((put_in(DETERMINANT, entries),), ()), factored)
+        return closed
+    entries = dict(zip(ENTRIES, J.entries[: len(ENTRIES)], strict=True))
+    return _not_easier(ExpressionArray((put_in(DETERMINANT, entries),), ()), closed)
 
 
 @lru_cache
-def determinant_formula(arm: Robot, factor: str = "sin(q2)", sign: str = "-") -> ExpressionArray:
-    """Determinant of the linear block, as the product of the factors that `conditions` returns."""
-    stroke, side = conditions(arm, factor)
-    second = side if _has_shoulder(arm) else f"({stroke})*{side}"
-    return expression_array(f"{sign}({stroke})*({second})", arm.names)
+def determinant_formula(arm: Robot) -> ExpressionArray:
+    """Determinant of the linear rows, the product of what is zero in singular postures."""
+    return expression_array(_product("-", arm, "sin(q2)"), arm.names)
 
 
-def conditions(arm: Robot, factor: str = "sin(q2)") -> tuple[str, str]:
-    """What is zero in the singular postures: the way from axis 2 to the hand, and the distance from axis 1.
+@lru_cache
+def determinant_by_elevation(arm: Robot) -> ExpressionArray:
+    """The determinant where q2 is taken from the horizontal."""
+    return expression_array(_product("", arm, "cos(q2)"), arm.names)
 
-    `factor` is the sine of the angle between axes 1 and 3; a1 counts against it where axis 2 points to the right.
-    The offset d2 along axis 2 has no part in them.
+
+def singular_conditions(arm: Robot, across: str = "sin(q2)") -> tuple[str, str]:
+    """What is zero in singular postures: the way from axis 2 to the hand, and how far it reaches from axis 1.
+
+    `across` is the part of that way across axis 1. The offset d2 along axis 2 is in neither; without a1 the reach is
+    zero where `across` is.
     """
-    stroke = "q3 + l3" if "l3" in arm.parameters else "q3"
-    if not _has_shoulder(arm):
-        return stroke, factor
-    sense = "-" if arm.rows[0][3] == "pi/2" else "+"
-    return stroke, f"({stroke})*{factor} {sense} a1"
+    way = "q3 + l3" if "l3" in arm.parameters else "q3"
+    if "a1" not in arm.parameters:
+        return way, across
+    return way, f"({way})*{across} {'-' if arm.rows[0][3] == 'pi/2' else '+'} a1"
 
 
-def put_in(formula: Expression, values: Mapping[str, Expression]) -> Expression:
-    """A formula with other formulas in place of some of its names."""
-    nodes: list[Any] = []
-    places: list[int] = []
-    for kind, *arguments in formula.nodes:
-        start = len(nodes)
-        if kind == "s" and arguments[0] in values:
-            nodes += (_moved(node, range(start, start + len(values[arguments[0]].nodes))) for node in values[arguments[0]].nodes)
-        else:
-            nodes.append(_moved((kind, *arguments), places))
-        places.append(len(nodes) - 1)
-    return Expression(tuple(nodes))
+def _product(sign: str, arm: Robot, across: str) -> str:
+    way, reach = singular_conditions(arm, across)
+    return f"{sign}({way})*({reach})" if "a1" in arm.parameters else f"{sign}({way})^2*{reach}"
 
 
-def prismatic_as_turning(arm: Robot) -> ExpressionArray:
-    """The Jacobian with the axis of the slide in the angular rows, as if the slide turned the hand."""
+@lru_cache
+def turning_slide(arm: Robot) -> ExpressionArray:
+    """The Jacobian with the axis of the slide in its angular rows, as if a slide turned the hand."""
     J = arm.symbolic().J.copy()
     J[3:, 2] = J[:3, 2]
     return expression_array(J, arm.names)
 
 
-def one_frame_late(arm: Robot) -> ExpressionArray:
-    """The Jacobian with z and o of frame i in column i."""
-    return _from_frames(arm, late=1, to_hand=True)
-
-
-def own_link_only(arm: Robot) -> ExpressionArray:
-    """The Jacobian with o_i - o_(i-1) for the way to the hand."""
-    return _from_frames(arm, late=0, to_hand=False)
-
-
 @lru_cache
-def _from_frames(arm: Robot, *, late: int, to_hand: bool) -> ExpressionArray:
-    import sympy  # pyright: ignore[reportMissingTypeStubs]
+def columns_of_frames(arm: Robot, *, late: int = 0, to_hand: bool = True) -> ExpressionArray:
+    """The Jacobian with column i from frame i - 1 + late, and the way to the hand or only to the next frame."""
+    import sympy
 
-    frames = arm.symbolic().frames
-    columns: list[Any] = []
+    frames: Any = arm.symbolic().frames
+    columns: list[list[Any]] = []
     for i, kind in enumerate(arm.kinds):
         z, o = (frames[i + late][:3, column] for column in (2, 3))
-        end = frames[-1 if to_hand else i + 1][:3, 3]
-        turned = [*z.cross(end - o), *z] if kind == "R" else [*z, 0, 0, 0]
-        columns.append([sympy.expand(entry) for entry in turned])
+        way = frames[-1 if to_hand else i + 1][:3, 3] - o
+        columns.append([*z.cross(way).expand(), *z] if kind == "R" else [*z, 0, 0, 0])
     return expression_array(sympy.Matrix(columns).T, arm.names)
 
 
-def _any_arm() -> Robot:
-    return _ANY
+def put_in(formula: Expression, values: Mapping[str, Expression]) -> Expression:
+    """A formula with other formulas in place of names."""
+    nodes: list[Any] = []
+    places: list[int] = []  # of the results of the formula's own nodes
+    for node in formula.nodes:
+        if node[0] == "s" and node[1] in values:
+            inside = values[node[1]].nodes
+            start = len(nodes)
+            nodes += [_moved(inner, range(start, start + len(inside))) for inner in inside]
+        else:
+            nodes.append(_moved(node, places))
+        places.append(len(nodes) - 1)
+    return Expression(tuple(nodes))
 
 
-_ANY = Robot(
-    name="rrt",
-    title="Any arm RRP",
-    parameters=dict.fromkeys((name for name in CELLS if name not in ("theta1", "theta2", "d3")), 1.0),
-    rows=(("q1", "d1", "a1", "alpha1"), ("q2", "d2", "a2", "alpha2"), ("theta3", "q3", "a3", "alpha3")),
-    limits=((-1.0, 1.0),) * 3,
-    source="standard Denavit-Hartenberg convention",
-)
+def _moved(node: tuple[Any, ...], places: Sequence[int]) -> tuple[Any, ...]:
+    return node if node[0] in ("n", "s") else (node[0], *(places[i] for i in node[1:]))
 
 
-def _has_shoulder(arm: Robot) -> bool:
-    return "a1" in arm.parameters
-
-
-def _moved(node: Sequence[Any], places: Sequence[int]) -> tuple[Any, ...]:
-    kind, *arguments = node
-    return (kind, *arguments) if kind in ("n", "s") else (kind, *(places[i] for i in arguments))
-
-
-def _no_easier(own: ExpressionArray, closed: ExpressionArray) -> ExpressionArray:
-    """Own formulas that take at least half as many different numbers as the closed ones."""
-    if 2 * _different_numbers(own, closed) < _different_numbers(closed, closed):
-        raise EasierError("these formulas leave hardly anything to find out")
+def _not_easier(own: ExpressionArray, closed: ExpressionArray) -> ExpressionArray:
+    """Own formulas that come to at least half as many different numbers as the closed ones."""
+    values = sample([*(own.names | closed.names)], POINTS)
+    sizes = [np.unique(np.round(np.abs(formulas.at(values)), 6)) for formulas in (own, closed)]
+    telling = [int(((size != 0) & (size != 1)).sum()) for size in sizes]
+    if 2 * telling[0] < telling[1]:
+        raise EasierError(f"own formulas come to {telling[0]} different numbers, the arm's own to {telling[1]}")
     return own

@@ -10,27 +10,17 @@ from ..solutions.jacobian import jacobian
 from ..solutions.robots import ROBOTS
 from .drawing import Dimension, Drawing, Triad, point
 from .draws import angles, length, until
-from .exercise import Choice, Exercise, Given, Mistake, Numbers, Part, Step, Variant
+from .exercise import Exercise, Given, Mistake, Numbers, Part, Step, Variant
 
 ROBOT = ROBOTS["three_axis"]
 Array = NDArray[np.float64]
-WISHES: tuple[tuple[str, tuple[int, ...]], ...] = (
-    (r"the whole $d\mathbf p$, and no rotation at all: $d\mathbf w = 0$", (0, 1, 2, 3, 4, 5)),
-    (r"the whole $d\mathbf p$, and no rotation about base $z$: $dw_z = 0$", (0, 1, 2, 5)),
-    (r"only the height $dp_z$ of $d\mathbf p$, and no rotation at all: $d\mathbf w = 0$", (2, 3, 4, 5)),
-    (r"only the height $dp_z$ of $d\mathbf p$, and $dw_x = dw_z = 0$", (2, 3, 5)),
-    (r"only the height $dp_z$ of $d\mathbf p$, and no rotation about base $z$: $dw_z = 0$", (2, 5)),
-    (r"no rotation at all, $d\mathbf w = 0$; the displacement is free", (3, 4, 5)),
-)
-"""What else may be wished of dq, with the rows of J dq = (dp, 0) that say it."""
-CONTRADICTION = 0.02  # of what is wished: a residual this large is no rounding
 
 
 def draw(rng: np.random.Generator) -> dict[str, Any]:
-    """An arm away from its singular postures, a displacement that its first order meets to a few per cent, a wish."""
+    """An arm away from its singular postures, and a displacement that first order meets to a few per cent."""
     v: dict[str, Any] = until(lambda: _arm(rng), _is_regular)
     v["dp"] = until(lambda: _displacement(rng), lambda dp: _is_telling({**v, "dp": dp}))
-    return v | {"wish": int(rng.integers(len(WISHES)))}
+    return v
 
 
 def _arm(rng: np.random.Generator) -> dict[str, Any]:
@@ -102,7 +92,8 @@ def wished(v: Variant) -> Array:
 
 
 def displacement(v: Variant, given: Given) -> Array:
-    return np.asarray(np.linalg.solve(given["three_axis_A"], wished(v)), dtype=np.float64)
+    # a student's own block may be singular, which solve() would not always notice
+    return np.asarray(np.linalg.lstsq(given["three_axis_A"], wished(v), rcond=1e-9)[0], dtype=np.float64)
 
 
 def rotation(_: Variant, given: Given) -> Array:
@@ -121,21 +112,6 @@ def error(v: Variant, given: Given) -> Array:
 
 def _missed(v: Variant, dq: Array) -> Array:
     return tool_point(v, np.array(v["q"]) + dq) - tool_point(v, v["q"]) - wished(v)
-
-
-def wish(v: Variant) -> tuple[str, tuple[int, ...]]:
-    return WISHES[v.get("wish", 0)]
-
-
-def number_of_solutions(v: Variant, given: Given) -> str:
-    """Letter of none, one or infinitely many: by the rank, and by what is left over at the best dq."""
-    rows = [*wish(v)[1]]
-    J: Array = given["three_axis_J"][rows]
-    du = np.concatenate([wished(v), np.zeros(3)])[rows]
-    dq, _, rank, _ = np.linalg.lstsq(J, du, rcond=CONTRADICTION)
-    if np.linalg.norm(J @ dq - du) > CONTRADICTION * np.linalg.norm(wished(v)):
-        return "a"
-    return "b" if rank == 3 else "c"
 
 
 def in_tool_axes(v: Variant, given: Given) -> Array:
@@ -231,8 +207,9 @@ def explain_displacement(v: Variant, given: Given) -> list[Step]:
 def explain_rotation(v: Variant, given: Given) -> list[Step]:
     return [
         Step(
-            r"The tool cannot keep its orientation: with $d\mathbf q$ comes the rotation $d\mathbf w = \mathbf B\,d\mathbf q "
-            r"= \mathbf z^1 dq_1 + \mathbf z^2 (dq_2 + dq_3)$ (S0, eq. 4.9). With your numbers:",
+            r"$d\mathbf w = \mathbf B\,d\mathbf q = \mathbf z^1 dq_1 + \mathbf z^2 (dq_2 + dq_3)$ (S0, eq. 4.9). Nobody "
+            r"asked for it: $d\mathbf p$ alone fixes the three $dq_i$. That is why $\mathbf J\,d\mathbf q = d\mathbf u$ (S0, eq. 4.13), "
+            r"six equations for three unknowns, has in general no solution: it has one only if the wished $d\mathbf w$ is this one:",
             r"d\mathbf w",
             numbers=given["three_axis_dw"],
         )
@@ -247,26 +224,6 @@ def explain_error(v: Variant, given: Given) -> list[Step]:
             r"\mathbf p^{tool}(\mathbf q + d\mathbf q) - \mathbf p^{tool}(\mathbf q) - d\mathbf p",
             numbers=given["three_axis_error"],
         )
-    ]
-
-
-def explain_number(v: Variant, given: Given) -> list[Step]:
-    rows = [*wish(v)[1]]
-    rank = int(np.linalg.matrix_rank(given["three_axis_J"][rows]))
-    found = {"a": "no solution", "b": "exactly one solution", "c": "infinitely many solutions"}[
-        number_of_solutions(v, given)
-    ]
-    return [
-        Step(
-            r"$\mathbf J\,d\mathbf q = d\mathbf u$ (S0, eq. 4.13) is six equations for three unknowns: a general "
-            r"$d\mathbf u$ contradicts itself, because three numbers $dq_i$ cannot meet six. Count only the rows that are "
-            r"wished. They have a solution exactly when writing $d\mathbf u$ beside them as one more column does not raise "
-            r"their rank; it is the only one when the rank is 3, the number of joints."
-        ),
-        Step(
-            f"Your wish takes {len(rows)} rows of rank {rank}, and has {found}. Joints 2 and 3 turn about one direction, "
-            r"so that $d\mathbf w = 0$ says just $dq_1 = 0$ and $dq_2 = -dq_3$."
-        ),
     ]
 
 
@@ -289,20 +246,20 @@ def drawings(v: Variant) -> tuple[Drawing, ...]:
     )
 
 
-def statement(v: Variant) -> str:
-    return rf"""All three joints of this robot are revolute. Frame $i$ sits on the axis of joint $i$, with
-$\mathbf z^{{i}}$ along the axis:
+def statement(_: Variant) -> str:
+    return r"""All three joints of this robot are revolute. Frame $i$ sits on the axis of joint $i$, with
+$\mathbf z^{i}$ along the axis:
 
-$$\mathbf T_{{base}}^{{1}} = T_z(L)\,R_z(q_1), \quad \mathbf T_1^2 = R_x(90°)\,R_z(q_2), \quad
-\mathbf T_2^3 = T_y(a_2)\,R_z(q_3), \quad \mathbf T_3^{{tool}} = T_x(a_3).$$
+$$\mathbf T_{base}^{1} = T_z(L)\,R_z(q_1), \quad \mathbf T_1^2 = R_x(90°)\,R_z(q_2), \quad
+\mathbf T_2^3 = T_y(a_2)\,R_z(q_3), \quad \mathbf T_3^{tool} = T_x(a_3).$$
 
 $T_x, T_y, T_z$ move along and $R_x, R_z$ turn about an axis of the current frame. Give all vectors in the base frame.
 
 For a small joint displacement $d\mathbf q$ the tool point moves by $d\mathbf p = \mathbf A\,d\mathbf q$ and the tool frame turns by
 $d\mathbf w = \mathbf B\,d\mathbf q$; the Jacobian $\mathbf J$ stacks $\mathbf A$ above $\mathbf B$.
 
-The wished displacement of the tool point is $d\mathbf p$, printed below as dp. In the last question something else is wished
-of $d\mathbf q$: {wish(v)[0]}."""
+The wished displacement of the tool point is $d\mathbf p$, printed below as dp. With it $\mathbf J\,d\mathbf q = d\mathbf u$
+would be six equations for three unknowns, which in general contradict each other: only three of them can be prescribed."""
 
 
 EXERCISE = Exercise(
@@ -435,19 +392,6 @@ EXERCISE = Exercise(
             ),
             hints=("Compute the tool point a second time, at the new angles.", "Expect well under a few millimetres."),
             explain=explain_error,
-        ),
-        Part(
-            "three_axis_solutions",
-            r"How many $d\mathbf q$ meet the rows of $\mathbf J\,d\mathbf q = d\mathbf u$ that are wished in the last lines of the text above",
-            1,
-            Choice(("none: the equations contradict each other", "exactly one", "infinitely many")),
-            number_of_solutions,
-            needs=("three_axis_J",),
-            hints=(
-                "Which joint displacements leave the orientation as it is?",
-                "More equations than unknowns may still agree; compare ranks.",
-            ),
-            explain=explain_number,
         ),
     ),
 )

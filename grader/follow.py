@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..exercises.exercise import Numbers, Part
+from ..solutions.expression_array import ExpressionArray, sample
 from .verdict import Verdict
 
 Others = Mapping[str, Mapping[str, Any]]
@@ -25,7 +26,10 @@ def may_be_followed(verdict: Verdict, copied: bool) -> bool:
 
 
 def is_trivial(reference: Any, own: Any) -> bool:
-    """Whether own numbers are easier than the reference: fewer different ones, or a lower rank."""
+    """Whether own numbers or formulas are easier than the reference: fewer different ones, or a lower rank."""
+    if isinstance(own, ExpressionArray):
+        values = sample(sorted(own.names | reference.names), 1)
+        own, reference = (np.asarray(array.at(values)).reshape(array.shape) for array in (own, reference))
     if not isinstance(own, np.ndarray):
         return False
     own = cast("NDArray[np.float64]", own)

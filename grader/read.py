@@ -25,6 +25,8 @@ from .read_table import read_table
 from .unreadable import Unreadable, clip
 from .wire import Raw
 
+NOTHING = "not a matrix of numbers: None"  # what the collector says of a call that returned None
+
 
 @dataclass(frozen=True)
 class Results:
@@ -61,6 +63,8 @@ def _choice(answer: Choice, raw: Raw, _: Variant) -> str:
 
 def _results(answer: Function, raw: Raw, v: Variant) -> Results:
     if raw.kind == "calls":
+        if all(result.kind == "error" and NOTHING in str(result.value) for result in raw.value):
+            raise Unreadable("not answered: the function returns nothing")
         return Results(tuple(map(_result, raw.value)), raw.listed)
     if raw.kind == "num" and answer.published and raw.value.ndim > 1:  # a list of results of one shape
         return Results(tuple(np.asarray(x, dtype=float) for x in raw.value), published=True)

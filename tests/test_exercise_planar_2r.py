@@ -115,3 +115,19 @@ def test_numbers_put_into_the_formulas_earn_nothing():
     pose = references(EXERCISE, v)["planar_2r_pose"].at(own_numbers(v, v["q"]))
     verdicts = verdicts_of(v, {"planar_2r_pose": Raw("num", pose)})
     assert verdicts["planar_2r_pose"].points == 0
+
+
+@pytest.mark.parametrize(
+    ("signs", "words"),
+    [
+        (lambda _: [[-1, -1], [1, 1], [1, 1]], "derivative of the cosine"),
+        (lambda J: [[int(entry) for entry in J[2]]] * 3, "chain rule"),
+    ],
+)
+def test_wrong_signs_in_the_derivatives_are_named(signs, words):
+    for seed in SEEDS:
+        v = variant_of("planar_2r", seed)
+        J = references(EXERCISE, v)["planar_2r_J_symbolic"].text()
+        wrong = [[f"{s}*({entry})" for s, entry in zip(*rows, strict=True)] for rows in zip(signs(J), J, strict=True)]
+        (finding,) = verdicts_of(v, {"planar_2r_J_symbolic": wrong})["planar_2r_J_symbolic"].findings
+        assert words in finding.text or finding.text == "Every sign is reversed."

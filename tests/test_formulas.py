@@ -32,6 +32,7 @@ def test_closed_forms_use_the_shorthand_of_the_course():
         ([0.1, 0.2], ["rad", "m"], r"x = (0.1\,\mathrm{rad},\; 0.2\,\mathrm{m})"),
         ([[1, 2], [3, 4]], [["m", "m"]] * 2, r"x = \begin{bmatrix} 1 & 2 \\ 3 & 4 \end{bmatrix}\,\mathrm{m}"),
         ([[1, 2]], [["m", "rad"]], r"x = \begin{bmatrix} 1 & 2 \end{bmatrix}"),
+        ([[1.25, 2.0]], [["m", "rad"]], r"x = \begin{bmatrix} 1.25 & 2.00 \end{bmatrix}"),
     ],
 )
 def test_given_numbers_carry_their_units(value, units, text):
