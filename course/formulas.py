@@ -9,7 +9,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-UNIT_LATEX = {"m": r"\mathrm{m}", "rad": r"\mathrm{rad}", "m/s": r"\mathrm{m/s}", "rad/s": r"\mathrm{rad/s}", "1": ""}
 COMMA = r",\; "
 
 
@@ -49,7 +48,7 @@ def _printed(expression: Any) -> str:
 def given_number(symbol: str, value: Any, units: Any) -> str:
     """LaTeX of one drawn number, vector or matrix with its unit; a matrix of several units has none."""
     kinds = list(dict.fromkeys(np.array(units).ravel().tolist()))
-    unit = rf"\,{UNIT_LATEX[kinds[0]]}" if len(kinds) == 1 and UNIT_LATEX[kinds[0]] else ""
+    unit = rf"\,{unit_latex(kinds[0])}" if len(kinds) == 1 and kinds[0] != "1" else ""
     if not isinstance(value, list):
         return rf"{symbol} = {value}{unit}"
     if isinstance(value[0], list):
@@ -57,8 +56,17 @@ def given_number(symbol: str, value: Any, units: Any) -> str:
         return rf"{symbol} = {matrix(value, decimals)}{unit}"
     if len(kinds) == 1:
         return rf"{symbol} = ({COMMA.join(map(str, value))}){unit}"
-    inside = COMMA.join(rf"{x}\,{UNIT_LATEX[unit]}" for x, unit in zip(value, units, strict=True))
+    inside = COMMA.join(_with_unit(x, unit) for x, unit in zip(value, units, strict=True))
     return rf"{symbol} = ({inside})"
+
+
+def _with_unit(value: float, unit: str) -> str:
+    return str(value) if unit == "1" else rf"{value}\,{unit_latex(unit)}"
+
+
+def unit_latex(unit: str) -> str:
+    """LaTeX of a unit such as m/rad."""
+    return rf"\mathrm{{{unit}}}"
 
 
 def page_text(text: str) -> str:

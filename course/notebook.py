@@ -173,7 +173,8 @@ def _figures(drawings: Sequence[Drawing]) -> tuple[str, ...]:
 
 
 def _prompt(part: Part, *, hints: bool) -> str:
-    blocks = [f"**`{part.variable}`** ({_points(part.points)}): {part.prompt}.{_asked(part)}"]
+    stop = "" if part.prompt.endswith((".", "?", "!", ":")) else "."
+    blocks = [f"**`{part.variable}`** ({_points(part.points)}): {part.prompt}{stop}{_asked(part)}"]
     if isinstance(part.answer, Choice):
         options = zip(part.answer.letters, part.answer.options, strict=True)
         blocks.append("\n".join(f"- **{letter})** {option}" for letter, option in options))

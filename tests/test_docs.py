@@ -12,6 +12,7 @@ from kinegrade.course.demo import fill_in
 from kinegrade.course.gradebook import Gradebook
 from kinegrade.course.grading import SheetMarker
 from kinegrade.course.sheets import exercises_of, generate
+from kinegrade.course.validate import validate_file
 from kinegrade.exercises.exercise import references
 from kinegrade.grader.mark import mark
 
@@ -35,7 +36,7 @@ def test_every_link_and_picture_is_there(page):
     assert [target for target in targets if not (page.parent / target).exists()] == []
 
 
-@pytest.mark.parametrize("command", ["init", "generate", "grade", "check", "plot"])
+@pytest.mark.parametrize("command", ["init", "generate", "grade", "check", "plot", "validate"])
 def test_every_command_of_the_readme_exists(command):
     from kinegrade.course import cli
 
@@ -43,7 +44,11 @@ def test_every_command_of_the_readme_exists(command):
     assert command in [getattr(registered.callback, "__name__", "") for registered in cli.app.registered_commands]
 
 
-def test_the_exercise_of_the_docs_is_released_solved_and_marked(tmp_path):
+def test_the_exercise_of_the_docs_is_short():
+    assert len(blocks(ROOT / "docs" / "add_an_exercise.md", "python")[0].splitlines()) <= 25
+
+
+def test_the_exercise_of_the_docs_is_validated_released_solved_and_marked(tmp_path):
     page = ROOT / "docs" / "add_an_exercise.md"
     write_course(tmp_path)
     (tmp_path / "exercises").mkdir()
@@ -51,6 +56,7 @@ def test_the_exercise_of_the_docs_is_released_solved_and_marked(tmp_path):
     settings = tmp_path / "course.toml"
     settings.write_text(settings.read_text(encoding="utf-8") + blocks(page, "toml")[0], encoding="utf-8")
     course = read_course(tmp_path)
+    assert validate_file(tmp_path / "exercises" / "tip_speed.py", 100).failures == ()
     (sheet,) = course.sheets(("extra",))
     (exercise,) = exercises_of(course, sheet)
     with Gradebook(tmp_path / "gradebook.sqlite") as gradebook:
