@@ -263,9 +263,17 @@ def test_no_bytes_make_reading_fail(seed, compressed):
             assert raw.kind != "error" or len(raw.value) > 10
 
 
-def test_the_walk_alone_refuses_what_it_does_not_understand():
-    """What scipy is given is checked before; without the checks, indices of a sparse matrix would be believed."""
-    element = matrix("x", 5, part(5, struct.pack("<i", 10**6)), part(5, struct.pack("<2i", 0, 1)), part(9, bytes(8)))
+@pytest.mark.parametrize(
+    "element",
+    [
+        matrix("x", 5, part(5, struct.pack("<i", 10**6)), part(5, struct.pack("<2i", 0, 1)), part(9, bytes(8))),
+        matrix("x", 6, part(9, bytes(8)), shape=(2, 1)),
+        matrix("x", 4, part(4, b"a\0"), shape=(100, 100)),
+        matrix("x", 1, shape=(60, 60)),
+    ],
+)
+def test_what_is_damaged_never_reaches_scipy(element):
+    """It would believe the indices of a sparse matrix."""
     array = mat_elements.array_of(memoryview(element)[8:], "little")
     with pytest.raises(mat_elements.MatError, match="damaged"):
         mat_elements.check(array, "little")

@@ -20,7 +20,11 @@ def sheet(name="one"):
 
 
 def exercise(*answers, statement="A plain question.", units=None, title="Title", prompt="A prompt"):
-    parts = tuple(Part(f"ex_{i}", prompt, 2, answer, lambda *_: None) for i, answer in enumerate(answers))
+    checks = [(lambda *_: None) if isinstance(answer, Configurations) else None for answer in answers]
+    parts = tuple(
+        Part(f"ex_{i}", prompt, 2, answer, lambda *_: None, check=check)
+        for i, (answer, check) in enumerate(zip(answers, checks, strict=True))
+    )
     return Exercise(
         slug="ex", title=title, source="tests", draw=lambda _: {}, parts=parts, statement=lambda _: statement,
         units=units or {}, scale=lambda _: 1.0,
