@@ -127,7 +127,7 @@ def grade(
 
 @app.command()
 def check(
-    file: Annotated[Path, typer.Argument(help="Your notebook, .json or .csv.")],
+    file: Annotated[Path, typer.Argument(help="Your notebook, .json, .csv or .mat.")],
     sheet: Annotated[Path | None, typer.Option("--sheet", help="The notebook as it was handed out.")] = None,
 ) -> None:
     """Look at one's own answers, as far as the sheet's mode allows; needs no course folder."""

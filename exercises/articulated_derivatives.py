@@ -23,7 +23,7 @@ from .articulated_arm import (
     row,
     structure_of,
 )
-from .draws import angles, length
+from .draws import angles, length, until
 from .exercise import Choice, Exercise, Formulas, Given, Mistake, Numbers, Outcome, Part, Step, Variant
 
 Array = NDArray[np.float64]
@@ -49,13 +49,17 @@ OPTIONS = (
 def draw(rng: np.random.Generator) -> dict[str, Any]:
     """An arm of one structure with a hand that every joint moves, and a point for the last question."""
     structure, asked = int(rng.integers(len(STRUCTURES))), int(rng.integers(len(POINTS)))
-    while True:
+
+    def drawn() -> dict[str, Any]:
         v: dict[str, Any] = {"structure": structure, "point": asked}
         v |= {"d1": length(rng), "a1": length(rng, 0.2, 0.5), "a2": length(rng), "a3": length(rng)}
-        v |= {"a4": length(rng, 0.2, 0.6), "q": angles(rng, 6, [(1, 2), (1, 2, 3)])}
+        return v | {"a4": length(rng, 0.2, 0.6), "q": angles(rng, 6, [(1, 2), (1, 2, 3)])}
+
+    def every_joint_moves_it(v: Variant) -> bool:
         J = at_numbers(v, {name: row(v, i) for i, name in enumerate(ROWS)})
-        if (np.linalg.norm(J[:, :4], axis=0) > 0.2).all():
-            return v
+        return bool((np.linalg.norm(J[:, :4], axis=0) > 0.2).all())
+
+    return until(drawn, every_joint_moves_it)
 
 
 def signs_forgotten(v: Variant, i: int) -> ExpressionArray:
@@ -233,8 +237,8 @@ EXERCISE = Exercise(
         ),
         Part(
             "articulated_derivatives_point",
-            r"Columns 5 and 6 of $\mathbf J_v$ are zero for $\mathbf p$. Take the linear rows for the point $Q$ of your sheet instead of "
-            r"$\mathbf p$, in a general posture: which statement about their columns 5 and 6 is right",
+            r"For $\mathbf p$ the columns 5 and 6 of $\mathbf J_v$ are zero. The right statement about columns 5 and 6 of the linear rows for "
+            r"the point $Q$ of your sheet, in a general posture",
             2,
             Choice(OPTIONS),
             point_letter,

@@ -170,7 +170,7 @@ def judged_repair(v: Variant, given: Given, value: Array) -> Outcome:
     whole = right.all(axis=0)
     share = max(0.0, float((whole & spoiled).sum() - (~whole & ~spoiled).sum()) / float(spoiled.sum()))
     if np.abs(value - W).max() <= ROUNDING:
-        return Outcome(right, reading="This is the printed matrix as it was.", share=0.0)
+        return Outcome(right, reading="This is the printed matrix as it was.", share=share)
     for slip in SLIPS:
         if np.abs(value - slip.of(T, KINDS)).max() <= ROUNDING:
             return Outcome(right, reading=f"This matrix has another mistake in it: {slip.option}.", share=share)

@@ -202,21 +202,18 @@ def explain_jacobian(v: Variant, given: Given) -> list[Step]:
 
 def explain_ranks(v: Variant, given: Given) -> list[Step]:
     J: Array = given["inverse_velocities_J"]
-    listed = (
-        (r"\mathbf J", singular_values(J)),
-        (r"\mathbf A", singular_values(blocks(J)[0])),
-        (r"\mathbf W", singular_values(blocks(J)[1])),
-    )
+    named = zip((r"\mathbf J", r"\mathbf A", r"\mathbf W"), (J, *blocks(J)), strict=True)
+    listed = [(name, ", ".join(f"{size:.4f}" for size in singular_values(block))) for name, block in named]
     return [
         Step(
-            "The rank is the number of singular values that are not zero. It depends on q: a Puma has six degrees of freedom and "
-            "at most postures rank 6. Where A or W loses one, so does J."
+            r"The rank is the number of singular values that are not zero. It depends on $\mathbf q$: a Puma has six degrees of freedom, "
+            r"and rank 6 at most postures. Where $\mathbf A$ or $\mathbf W$ loses one, so does $\mathbf J$."
         ),
-        *(Step(f"Singular values of ${name}$:", rf"\sigma({name})", numbers=sizes) for name, sizes in listed),
+        *(Step(f"Singular values of ${name}$: {sizes}.") for name, sizes in listed),
         Step(
             "The ranks:",
             r"\left(\mathrm{rank}\,\mathbf J, \mathrm{rank}\,\mathbf A, \mathrm{rank}\,\mathbf W\right)",
-            numbers=ranks(v, given),
+            numbers=given["inverse_velocities_ranks"],
         ),
     ]
 

@@ -15,12 +15,13 @@ from ..solutions.jacobian import jacobian
 from ..solutions.jacobian import last_frame_columns as last_frame
 from ..solutions.robots import ROBOTS, Robot
 from .drawing import Drawing, Triad
-from .draws import angles, length
+from .draws import angles, length, until
 from .exercise import Exercise, Given, Mistake, Numbers, Part, Step, Variant
 
 Array = NDArray[np.float64]
 LENGTHS = ("a2", "a3", "a4", "d6")
 TWIST_UNITS = ["m/rad"] * 3 + ["1"] * 3
+POSE_UNITS = [["1", "1", "1", "m"]] * 3 + [["1"] * 4]
 PRINTED = ("TA", "TB")
 SHOWS = 0.05  # by which a mistake changes a column, and the size of its linear rows
 
@@ -80,15 +81,21 @@ WRONG: tuple[tuple[str, Callable[[Variant], Array]], ...] = (
 def draw(rng: np.random.Generator) -> dict[str, Any]:
     """An arm, two columns for the paper, and their transforms with four decimals; every known mistake shows."""
     columns = sorted(int(i) for i in rng.choice([1, 2, 3, 4, 5], 2, replace=False))
-    while True:
+
+    def drawn() -> dict[str, Any]:
         v: dict[str, Any] = {"columns": columns, "a2": length(rng), "a3": length(rng)}
-        v |= {"a4": length(rng, 0.2, 0.6), "d6": length(rng, 0.2, 0.5), "q": angles(rng, 6, [(1, 2), (1, 2, 3)])}
-        T = to_last_frame(v)[:6]
-        J = last_frame(T, "R" * 6)
-        off = [np.abs(wrong(v) - J)[:, [i - 1 for i in columns]].max(axis=0).min() for _, wrong in WRONG]
-        if min(off) > SHOWS and (np.linalg.norm(J[:3, :5], axis=0) > SHOWS).all():
-            printed = (np.round(T[[i - 1 for i in columns]], 4) + 0.0).tolist()
-            return v | dict(zip(PRINTED, printed, strict=True))
+        return v | {"a4": length(rng, 0.2, 0.6), "d6": length(rng, 0.2, 0.5), "q": angles(rng, 6, [(1, 2), (1, 2, 3)])}
+
+    v = until(drawn, shows_mistakes)
+    printed = np.round(to_last_frame(v)[[i - 1 for i in columns]], 4) + 0.0
+    return v | dict(zip(PRINTED, printed.tolist(), strict=True))
+
+
+def shows_mistakes(v: Variant) -> bool:
+    """Whether every known mistake changes the columns on paper, and no column is small."""
+    J, columns = last_frame(to_last_frame(v)[:6], "R" * 6), [i - 1 for i in v["columns"]]
+    changes = [np.abs(wrong(v) - J)[:, columns].max(axis=0).min() for _, wrong in WRONG]
+    return min(changes) > SHOWS and bool((np.linalg.norm(J[:3, :5], axis=0) > SHOWS).all())
 
 
 def transforms(v: Variant, _: Given) -> Array:
@@ -216,8 +223,8 @@ def statement(v: Variant) -> str:
 
 The point whose velocity is meant is the origin of frame 6. $\mathbf J^{{6}}$ is its Jacobian **in the axes of frame 6**, the last frame
 (S1, eq. 5.26); $\mathbf J^{{0}}$ is that of the same point in base axes. $\mathbf T_{{i-1}}^{{6}}$ is the transform from frame $i-1$ to frame 6 at your
-$\mathbf q$, the product of rows $i$ to 6 of the table. Two of them are among your numbers, rounded to four decimals (the first three
-entries of the last column in metres):
+$\mathbf q$, the product of rows $i$ to 6 of the table. Two of them are among your numbers, rounded to four decimals, the first three
+entries of the last column in metres:
 
 - TA is $\mathbf T_{{{first - 1}}}^{{6}}$, for **column A**, which is column {first} of $\mathbf J^{{6}}$;
 - TB is $\mathbf T_{{{second - 1}}}^{{6}}$, for **column B**, which is column {second} of $\mathbf J^{{6}}$."""
@@ -247,7 +254,7 @@ EXERCISE = Exercise(
     source="S1 5.10, eq. 5.26",
     draw=draw,
     statement=statement,
-    units={**dict.fromkeys(LENGTHS, "m"), "q": ["rad"] * 6, "TA": ["1"] * 4, "TB": ["1"] * 4},
+    units={**dict.fromkeys(LENGTHS, "m"), "q": ["rad"] * 6, "TA": POSE_UNITS, "TB": POSE_UNITS},
     scale=lambda v: sum(v[name] for name in LENGTHS),
     objectives=(
         "Read a column of the Jacobian off the transform to the last frame.",

@@ -10,7 +10,7 @@ from ..solutions.jacobian import jacobian
 from ..solutions.jacobian import last_frame_columns as last_frame
 from ..solutions.robots import ROBOTS
 from .drawing import Drawing, Triad
-from .draws import angles, length
+from .draws import angles, length, until
 from .exercise import Choice, Exercise, Given, Mistake, Numbers, Part, Step, Variant
 
 Array = NDArray[np.float64]
@@ -55,8 +55,7 @@ def transforms(v: Variant, _: Given) -> Array:
 def to_last_frame(given: Given) -> Array:
     """The transform from frame 2 to frame 6, (4, 4)."""
     poses: Array = given["prismatic_columns_frames"]
-    back: Array = np.linalg.inv(poses[SLIDE])
-    return back @ poses[-1]
+    return np.linalg.inv(poses)[SLIDE] @ poses[-1]
 
 
 def last_column(_: Variant, given: Given) -> Array:
@@ -143,17 +142,23 @@ def letter_of_change(v: Variant, _: Given) -> str:
 def draw(rng: np.random.Generator) -> dict[str, Any]:
     """A posture in which column 3 looks the same in no two readings, and a change of units."""
     change = int(rng.integers(len(CHANGES)))
-    while True:
-        v: dict[str, Any] = {"change": change, "d2": length(rng, 0.1, 0.4), "d6": length(rng, 0.1, 0.4)}
-        v["q"] = [*angles(rng, 2), length(rng), *angles(rng, 3)]
-        given = {"prismatic_columns_frames": frames(v)}
-        right = (last_column(v, given), base_column(v, given))
-        wrong = (
-            (turning_last_column(v, given), third_column_of_rotation(v, given), right[1]),
-            (turning_base_column(v, given), axis_before(v, given), right[0]),
-        )
-        if min(np.abs(a - b).max() for a, others in zip(right, wrong, strict=True) for b in others) > SHOWS:
-            return v
+
+    def drawn() -> dict[str, Any]:
+        sizes = {"d2": length(rng, 0.1, 0.4), "d6": length(rng, 0.1, 0.4)}
+        return {"change": change, **sizes, "q": [*angles(rng, 2), length(rng), *angles(rng, 3)]}
+
+    return until(drawn, shows_mistakes)
+
+
+def shows_mistakes(v: Variant) -> bool:
+    """Whether every known mistake changes column 3."""
+    given = {"prismatic_columns_frames": frames(v)}
+    right = (last_column(v, given), base_column(v, given))
+    wrong = (
+        (turning_last_column(v, given), third_column_of_rotation(v, given), right[1]),
+        (turning_base_column(v, given), axis_before(v, given), right[0]),
+    )
+    return min(np.abs(a - b).max() for a, others in zip(right, wrong, strict=True) for b in others) > SHOWS
 
 
 def explain_last(_: Variant, given: Given) -> list[Step]:
@@ -350,7 +355,8 @@ EXERCISE = Exercise(
         ),
         Part(
             "prismatic_columns_why",
-            r"Columns 1 and 2 of the linear rows hold lengths, column 3 holds none, neither $d_2$, $d_6$ nor $q_3$. What is the reason",
+            r"The reason why no length, neither $d_2$ nor $d_6$ nor $q_3$, stands in column 3, though lengths stand in the linear rows of "
+            r"columns 1 and 2",
             1,
             Choice(REASONS),
             lambda _, __: "c",
@@ -359,8 +365,8 @@ EXERCISE = Exercise(
         ),
         Part(
             "prismatic_columns_units",
-            r"Units change as your sheet says. What becomes of $\mathbf J^{0}$, so that $\mathbf J^{0} \dot{\mathbf q}$ is the twist in the new "
-            r"units, for the same motion",
+            r"What becomes of $\mathbf J^{0}$ when units change as your sheet says: $\mathbf J^{0} \dot{\mathbf q}$ shall be the twist of the same "
+            r"motion in the new units",
             2,
             Choice(UNIT_OPTIONS),
             letter_of_change,

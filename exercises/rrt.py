@@ -39,7 +39,11 @@ from .rrt_formulas import (
 Array = NDArray[np.float64]
 KINDS = "RRP"
 NAMES = (*LENGTHS, "q1", "q2", "q3")
-LIMITS = {"q1": (-np.pi, np.pi), "q2": (-np.pi, np.pi), "q3": (-1.5, 1.5)}  # of the singular postures asked [rad, m]
+LIMITS = {  # of the singular postures asked [rad, m]
+    "q1": (-np.pi, np.pi),
+    "q2": (-np.pi, np.pi),
+    "q3": (-1.5, 1.5),
+}
 
 
 def table(v: Variant, _: Given) -> Table:

@@ -255,8 +255,8 @@ $$\mathbf T_{base}^{1} = T_z(L)\,R_z(q_1), \quad \mathbf T_1^2 = R_x(90°)\,R_z(
 
 $T_x, T_y, T_z$ move along and $R_x, R_z$ turn about an axis of the current frame. Give all vectors in the base frame.
 
-For a small joint displacement $d\mathbf q$ the tool point moves by $d\mathbf p = \mathbf A\,d\mathbf q$ and the tool frame turns by
-$d\mathbf w = \mathbf B\,d\mathbf q$; the Jacobian $\mathbf J$ stacks $\mathbf A$ above $\mathbf B$.
+For a small joint displacement $d\mathbf q$ the tool point moves, to first order, by $d\mathbf p = \mathbf A\,d\mathbf q$ and the tool frame
+turns by $d\mathbf w = \mathbf B\,d\mathbf q$; the Jacobian $\mathbf J$ stacks $\mathbf A$ above $\mathbf B$.
 
 The wished displacement of the tool point is $d\mathbf p$, printed below as dp. With it $\mathbf J\,d\mathbf q = d\mathbf u$
 would be six equations for three unknowns, which in general contradict each other: only three of them can be prescribed."""

@@ -35,19 +35,15 @@ def read_formulas(answer: Formulas, raw: Raw, v: Variant) -> ExpressionArray:
 def read_conditions(answer: Conditions, raw: Raw, v: Variant) -> tuple[Expression, ...]:
     """Expressions that are zero where a condition holds. Raises Unreadable."""
     names = names_on_sheet(answer.names, v)
-    texts = [raw.value] if isinstance(raw.value, str) else raw.value
-    if raw.kind != "text" or not isinstance(texts, list) or not all(isinstance(text, str) for text in texts):  # pyright: ignore[reportUnknownVariableType]
-        raise Unreadable(f"takes a list of conditions in {', '.join(names)}, such as ['sin(q1) = 0'], got {_kind(raw)}")
+    if raw.kind != "text":
+        raise Unreadable(f"takes a list of conditions in {', '.join(names)}, such as ['sin(q1) = 0'], got numbers")
+    texts, _ = flat_texts(raw.value)  # a file has them in a row or a column
     found: list[Expression] = []
-    for text in texts:  # pyright: ignore[reportUnknownVariableType]
-        found += _read(str(text), lambda text: typed_equations(text, names))  # pyright: ignore[reportUnknownArgumentType]
+    for text in texts:
+        found += _read(text, lambda text: typed_equations(text, names))
     if not 1 <= len(found) <= MOST_CONDITIONS:
         raise Unreadable(f"takes 1 to {MOST_CONDITIONS} conditions, got {len(found)}")
     return tuple(found)
-
-
-def _kind(raw: Raw) -> str:
-    return "numbers" if raw.kind == "num" else clip(raw.value)
 
 
 def _read(text: str, read: Callable[[str], Any], where: str = "") -> Any:

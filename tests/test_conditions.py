@@ -73,16 +73,34 @@ def test_a_condition_that_always_or_never_holds_earns_nothing(texts):
     assert judged(SPHERICAL, *texts, "sin(q2) = 0").share < 1
 
 
+@pytest.mark.parametrize("l3", [0.2, 0.25, 0.3, 0.4, 0.5])
+def test_a_pole_on_the_grid_is_no_zero(l3):
+    domain = DOMAIN | {"q3": (-1.5, 1.5)}
+    texts = ["q3 + l3 = 0", "sin(q2) = -a1/(q3 + l3)"]
+    answer = Conditions(NAMES, lambda _: domain)
+    v = V | {"l3": l3}
+    own = read_conditions(answer, Raw("text", texts), v)
+    reference = [parse(text, NAMES) for text in ("q3 + l3", "a1 + (q3 + l3)*sin(q2)")]
+    assert judge_conditions(reference, own, domain, v).share == 1
+
+
 def test_a_pole_is_no_zero():
     assert judged(("sin(q2)",), "1/tan(q2) = 0").share == 0
     assert judged(("cos(q2)",), "1/tan(q2) = 0").share == 1
 
 
 @pytest.mark.parametrize(
+    "value", ["q2 = 0; q3 = 0", ["q2 = 0", "q3 = 0"], [["q2 = 0", "q3 = 0"]], [["q2 = 0"], ["q3 = 0"]]]
+)
+def test_conditions_are_read_from_a_list_a_row_or_a_column(value):
+    read = read_conditions(Conditions(NAMES, lambda _: DOMAIN), Raw("text", value), V)
+    assert [str(condition) for condition in read] == ["q2", "q3"]
+
+
+@pytest.mark.parametrize(
     ("raw", "words"),
     [
         (Raw("num", np.zeros(3)), "takes a list of conditions in a1, l3, q1, q2, q3"),
-        (Raw("text", [["q2 = 0"]]), "takes a list of conditions"),
         (Raw("text", []), "takes 1 to 32 conditions, got 0"),
         (Raw("text", ["q7 = 0"]), "q7"),
         (Raw("text", ["1 = 0"]), "takes a joint or another name"),

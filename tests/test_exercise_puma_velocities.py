@@ -9,6 +9,8 @@ from kinegrade.exercises.exercise import references
 from kinegrade.exercises.puma_velocities import ALONE, FAMILIES, FREE, HELD, WORDINGS, elbow_height
 from kinegrade.grader.mark import mark
 from kinegrade.grader.wire import Raw
+from kinegrade.solutions.robots import ROBOTS
+from kinegrade.solutions.velocity import joint_rates
 
 EXERCISE = EXERCISES["puma_velocities"]
 SEEDS = range(40)
@@ -19,9 +21,9 @@ OF_S3 = {
     ALONE: [0.56, -2.39, -1.53, 0, 0, 0],
 }
 IN_TOOL_AXES = {
-    "the whole twist along the x axis of the tool": [11.0, 2.59, -1.65, -45.7, -5.1, 36.8],
-    "the linear velocity only, along the x axis of the tool": [11.034, 2.587, -1.651, 0, 0, 0],
-    "the x component only, along the x axis of the tool": [3.244, -2.880, -4.020, 0, 0, 0],
+    "the whole twist along the x axis of the tool": (6, [11.0, 2.59, -1.65, -45.7, -5.1, 36.8]),
+    "the linear velocity only, along the x axis of the tool": (3, [11.034, 2.587, -1.651, 0, 0, 0]),
+    "the x component only, along the x axis of the tool": (1, [3.244, -2.880, -4.020, 0, 0, 0]),
 }
 
 
@@ -125,8 +127,10 @@ def test_another_wording_than_the_asked_one_is_named(asked, answered):
 @pytest.mark.parametrize("wording", WORDINGS)
 @pytest.mark.parametrize("words", IN_TOOL_AXES)
 def test_tool_axes_are_named_in_every_wording(wording, words):
-    v = {**of_s3(wording), "vx_c": 2.0}
-    assert words in verdict(v, IN_TOOL_AXES[words]).reading
+    count, known = IN_TOOL_AXES[words]
+    rates = joint_rates(ROBOTS["puma560"].chain(), S3["q"], np.eye(6)[0, :count] * 2, slice(count), "tool")
+    np.testing.assert_allclose(rates, known, atol=0.06)
+    assert words in verdict(of_s3(wording), rates).reading
 
 
 def test_rates_with_the_asked_velocity_but_not_the_least_norm_earn_half():
@@ -134,6 +138,13 @@ def test_rates_with_the_asked_velocity_but_not_the_least_norm_earn_half():
     found = verdict(v, [*OF_S3[FREE][:3], 0.5, -0.4, 0.3])
     assert (found.status, found.points) == ("partly", 1.5)
     assert "the sheet asks for the rates of least norm" in found.reading
+
+
+def test_rates_that_meet_one_component_alone_are_met_by_chance_and_earn_nothing():
+    v = of_s3(ALONE)
+    found = verdict(v, [2 / references(EXERCISE, v)["puma_velocities_J"][0, 0], 0, 0, 0, 0, 0])
+    assert (found.status, found.points) == ("incorrect", 0)
+    assert "the x component only; the sheet asks for the rates of least norm" in found.reading
 
 
 @pytest.mark.parametrize("seed", SEEDS)
@@ -149,4 +160,4 @@ def test_rates_from_a_jacobian_at_four_decimals_are_right_even_close_to_the_sing
 def test_rates_that_miss_the_twist_are_wrong_however_large_the_right_ones_are():
     v = of_s3(HELD)
     assert verdict(v, np.array(OF_S3[HELD]) * 1.05).status != "correct"
-    assert verdict(v, np.array(OF_S3[HELD]) + [0, 0, 0, 0.5, 0, 0]).status != "correct"
+    assert verdict(v, np.add(OF_S3[HELD], [0, 0, 0, 0.5, 0, 0])).status != "correct"

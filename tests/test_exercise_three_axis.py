@@ -44,7 +44,7 @@ def test_the_error_is_of_second_order():
     assert np.linalg.norm(whole) / np.linalg.norm(tenth) == pytest.approx(100, rel=0.1)
 
 
-@pytest.mark.parametrize("seed", SEEDS)
+@pytest.mark.parametrize("seed", range(60))
 def test_the_wish_is_small_and_its_error_large_enough_to_be_asked(seed):
     v = draw(np.random.default_rng(seed))
     error = np.abs(references(EXERCISE, v)["three_axis_error"])
