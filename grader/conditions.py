@@ -85,7 +85,7 @@ def _zeros_on_lines(
 ) -> list[tuple[int, float]]:
     """(line, place) of every zero: at grid points, where the sign changes, and where the size has a minimum at zero."""
     found: list[tuple[int, float]] = []
-    size = np.nanmedian(np.where(np.isfinite(along), np.abs(along), np.nan), axis=1)  # a pole is no measure
+    size = np.median(np.where(np.isfinite(along), np.abs(along), 0.0), axis=1)  # a pole is no measure
     for number, row in enumerate(along):
         fixed = {name: x[number, 0] if np.ndim(x) == 2 and x.shape[0] == LINES else x for name, x in values.items()}
         at_zero = np.abs(row) <= 1e-12 * max(1.0, size[number])

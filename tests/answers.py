@@ -2,10 +2,14 @@
 
 import json
 from functools import cache
+from itertools import chain
 
 import numpy as np
+from kinegrade.course.blanks import answer_code
+from kinegrade.exercises.answers import Choice, Conditions, Configurations, Formulas, Function, Manual, Numbers, TableOf
 from kinegrade.exercises.catalogue import exercise_files, find
 from kinegrade.exercises.exercise import references
+from kinegrade.exercises.values import declared, names_on_sheet
 from kinegrade.grader.handed_in import handed_in
 from kinegrade.grader.wire import Raw
 
@@ -38,7 +42,90 @@ def raws(answers):
     return {name: value if callable(value) else raw(value) for name, value in answers.items()}
 
 
+def raws_of(exercise, v, answers):
+    """Answers by variable as the collector would hand them over; functions are called on the variant's inputs."""
+    asked = [part for part in exercise.asked if part.variable in answers]
+    return {part.variable: _raw_of(part, v, answers[part.variable]) for part in asked}
+
+
+def _raw_of(part, v, value):
+    return value if isinstance(value, Raw) else handed_in(part.answer, declared(part.answer, value, v), v)
+
+
 def right_raws(exercise, v):
     """The reference answers as a student would hand them in."""
-    answers = references(exercise, v)
-    return {part.variable: handed_in(part.answer, answers[part.variable], v) for part in exercise.asked}
+    return raws_of(exercise, v, references(exercise, v))
+
+
+def part_of(exercise, variable):
+    return next(part for part in exercise.parts if part.variable == variable)
+
+
+def kinds_of(exercise):
+    return {type(part.answer) for part in exercise.asked}
+
+
+def wrong(part, value, v):
+    """A wrong answer of the declared kind from which nothing of the reference can be read."""
+    return _WRONG[type(part.answer)](part.answer, value, v)
+
+
+def wrong_code(part, value, v):
+    """Python that hands in what `wrong` gives."""
+    if isinstance(part.answer, Function):
+        return f"def {part.variable}(*_):\n    return np.full((2, 2), 0.5)"
+    return answer_code(part, wrong(part, value, v))
+
+
+def _other_formulas(answer, _, v):
+    name = names_on_sheet(answer.names, v)[0]
+    return declared(answer, np.full(answer.shape, f"0.123*{name}").tolist(), v)
+
+
+def _other_table(_, value, __):
+    """Every twist is another one."""
+    from kinegrade.solutions.table import read_table
+
+    names = sorted({name for row in value.rows for cell in row for name in cell.names})
+    return read_table([[*map(str, row[:3]), "0.123"] for row in value.rows], names)
+
+
+def _other_letter(answer, value, _):
+    return answer.letters[(answer.letters.index(value) + 1) % len(answer.letters)]
+
+
+_WRONG = {
+    Numbers: lambda answer, value, _: -1.3 * value + 0.05,
+    Configurations: lambda _, value, __: -1.3 * value + 0.05,
+    TableOf: _other_table,
+    Formulas: _other_formulas,
+    Choice: _other_letter,
+    Conditions: lambda answer, _, v: declared(answer, [f"{names_on_sheet(answer.names, v)[-1]} - 0.123"], v),
+    Function: lambda *_: lambda *__: np.full((2, 2), 0.5),
+    Manual: lambda *_: "x",
+}
+
+
+def telling(part, value, v):
+    """Texts that stand nowhere but in the reference answer: numbers to three decimals, formulas, options, the key.
+
+    Cells of a table and numbers with two decimals or fewer are too common to tell anything; so are a function's.
+    """
+    if isinstance(part.answer, Numbers | Configurations):
+        return {f"{abs(x):.3f}" for x in np.ravel(value) if abs(x - round(x, 2)) > 1e-6}
+    if isinstance(part.answer, Formulas):
+        return {str(entry) for entry in value.entries if len(str(entry)) > 8}
+    if isinstance(part.answer, Conditions):
+        return {str(entry) for entry in value}
+    if isinstance(part.answer, Choice):
+        return {part.answer.options[part.answer.letters.index(value)]}
+    return {value} if isinstance(part.answer, Manual) else set()
+
+
+def flat(numbers):
+    """All plain numbers of a nested value."""
+    if isinstance(numbers, dict):
+        return flat([*numbers.values()])
+    if isinstance(numbers, list):
+        return [*chain.from_iterable(map(flat, numbers))]
+    return [numbers] if isinstance(numbers, int | float) else []

@@ -5,6 +5,7 @@ import sys
 from dataclasses import dataclass
 
 import pytest
+from answers import SLUGS
 from kinegrade.course.cli import main
 from kinegrade.course.config import Sheet, read_course
 from kinegrade.course.gradebook import Gradebook
@@ -14,7 +15,7 @@ from kinegrade.exercises.exercise import Exercise, references
 
 SECRET = "a secret for tests, long enough"  # noqa: S105
 CLASS = (("ada", "Ada Lovelace"), ("ben", "Ben Bot"), ("cyd", 'Cyd, the "third"'))
-BUNDLED = ("three_axis", "rrt", "puma_velocities")
+BUNDLED = tuple(SLUGS)
 LEVER = '''
 """An exercise without figures, so that a class is drawn and marked in no time."""
 import numpy as np

@@ -5,29 +5,36 @@ import re
 
 import numpy as np
 import pytest
-from answers import EXERCISES, variant_of
-from courses import BUNDLED, notebook
-from kinegrade.course.blanks import answer_code
-from kinegrade.course.check import _told, check_file, read_handout
+from answers import EXERCISES, SLUGS, flat, part_of, telling, variant_of, wrong_code
+from courses import BUNDLED, handed_out, make_course, notebook
+from kinegrade.course.blanks import answer_code, blank
+from kinegrade.course.check import _told, check_file, read_handout, with_samples
 from kinegrade.course.config import CourseError
-from kinegrade.exercises.exercise import references
+from kinegrade.course.gradebook import Gradebook
+from kinegrade.course.notebook import printed
+from kinegrade.exercises.exercise import Function, references
 from kinegrade.grader.verdict import Finding, Verdict
-from kinegrade.solutions.table import Table
 
 MODES = ("practice", "graded", "exam")
 
 
+SEED = 5  # other numbers than those that stand in for hidden ones
+
+
 def about(mode, *slugs):
-    numbers = {slug: variant_of(slug) for slug in slugs or ("rrt",)}
+    numbers = {slug: printed(EXERCISES[slug], variant_of(slug, SEED)) for slug in slugs or ("rrt",)}
     return {"sheet": "one", "student": "ada", "mode": mode, "exercises": list(numbers), "numbers": numbers}
 
 
-def solved(mode, spoil=lambda _, answer: answer, slugs=("rrt",)):
+def solved(
+    mode, spoil=lambda _, answer: answer, slugs=("rrt",), code=lambda part, answer, _: answer_code(part, answer)
+):
+    """The bytes of a notebook that answers everything; `spoil` changes answers, `code` writes them."""
     cells = []
     for slug in slugs:
-        exercise = EXERCISES[slug]
-        answers = references(exercise, variant_of(slug))
-        cells += [answer_code(part, spoil(part.variable, answers[part.variable])) for part in exercise.asked]
+        exercise, v = EXERCISES[slug], variant_of(slug, SEED)
+        answers = references(exercise, v)
+        cells += [code(part, spoil(part.variable, answers[part.variable]), v) for part in exercise.asked]
     return notebook("import numpy as np", *cells, about=about(mode, *slugs))
 
 
@@ -53,23 +60,26 @@ def test_right_answers_are_fine_in_every_mode(tmp_path, mode):
 @pytest.mark.parametrize(
     ("mode", "ok", "words"),
     [
-        ("practice", [True, True, False], "incorrect"),
-        ("graded", [True, True, False], "can be read, but does not follow from your own"),
-        ("exam", [True, True, True], "can be read"),
+        ("practice", False, "incorrect"),
+        ("graded", False, "can be read, but does not follow from your own"),
+        ("exam", True, "can be read"),
     ],
 )
 def test_a_wrong_answer_is_told_as_the_mode_allows(tmp_path, mode, ok, words):
-    _, found = checked(tmp_path, solved(mode, negated("rrt_J")))
-    assert [remark.ok for remark in found[:3]] == ok
-    assert words in found[2].text
+    found = {remark.part: remark for remark in checked(tmp_path, solved(mode, negated("rrt_J")))[1]}
+    wrong = found.pop("rrt_J")
+    assert wrong.ok is ok
+    assert words in wrong.text
+    assert all(remark.ok for remark in found.values())
 
 
 def test_a_graded_sheet_does_not_tell_whether_answers_are_right(tmp_path):
     """All of it is wrong, and each follows from the one before."""
-    exercise, v = EXERCISES["three_axis"], variant_of("three_axis")
+    exercise, v = EXERCISES["three_axis"], variant_of("three_axis", SEED)
     given = {"three_axis_p": references(exercise, v)["three_axis_p"] + 0.25, "three_axis_z": -np.eye(3)}
-    for part in exercise.asked[2:]:
-        given[part.variable] = part.solve(v, given)
+    for part in exercise.parts:
+        if part.variable not in given:
+            given[part.variable] = part.solve(v, given)
     cells = [answer_code(part, given[part.variable]) for part in exercise.asked]
     _, found = checked(tmp_path, notebook("import numpy as np", *cells, about=about("graded", "three_axis")))
     assert all(remark.ok for remark in found)
@@ -77,16 +87,22 @@ def test_a_graded_sheet_does_not_tell_whether_answers_are_right(tmp_path):
 
 
 @pytest.mark.parametrize("mode", MODES)
-def test_no_reference_value_is_ever_told(tmp_path, mode, exercise):
-    def spoil(_, answer):
-        return -1.3 * answer if isinstance(answer, np.ndarray) else answer
-
-    _, found = checked(tmp_path, solved(mode, spoil, (exercise.slug,)))
-    text = " ".join(remark.text for remark in found)
-    for name, answer in references(exercise, variant_of(exercise.slug)).items():
-        if not isinstance(answer, Table):
-            telling = [f"{abs(x):.3f}" for x in answer.ravel() if abs(x - round(x, 2)) > 1e-6]
-            assert [value for value in telling if value in text] == [], name
+def test_no_reference_value_is_ever_told(tmp_path, mode):
+    """On one sheet of everything, every answer of which is wrong."""
+    _, found = checked(tmp_path, solved(mode, slugs=SLUGS, code=wrong_code))
+    texts = {remark.part: remark.text for remark in found}
+    told = []
+    for exercise in EXERCISES.values():
+        v = variant_of(exercise.slug, SEED)
+        answers = references(exercise, v)
+        for part in exercise.asked:
+            assert texts[part.variable]
+            told += [
+                (part.variable, text)
+                for text in telling(part, answers[part.variable], v)
+                if text in texts[part.variable]
+            ]
+    assert told == []
 
 
 def test_what_is_private_is_not_told_either():
@@ -97,26 +113,120 @@ def test_what_is_private_is_not_told_either():
 
 @pytest.mark.parametrize("mode", MODES)
 def test_what_cannot_be_read_is_told_in_every_mode(tmp_path, mode):
-    cells = ("rrt_dh = [['q1']]", "rrt_T = 'x'", "rrt_J = {1: 2}")
-    _, found = checked(tmp_path, notebook(*cells, about=about(mode)))
-    assert not any(remark.ok for remark in found)
-    for remark, words in zip(found, ("rows of theta, d, a, alpha", "got text: x", "a dict"), strict=True):
-        assert words in remark.text
+    words = {
+        "rrt_dh = [['q1']]": "rows of theta, d, a, alpha",
+        "rrt_T = 'x'": "got text: x",
+        "rrt_J = {1: 2}": "a dict",
+        "rrt_det = 'sin(q2'": "\n",  # the line that was typed, with a caret
+        "rrt_singular = [1, 2]": "takes a list of conditions",
+        "inverse_velocities_solutions = 'no idea'": "takes one of the letters",
+        "inverse_velocities_elbow = [[1, 2, 3]]": "takes",
+        "implement_it_jacobian = 'x'": "takes a function",
+    }
+    _, found = checked(tmp_path, notebook(*words, about=about(mode, "rrt", "inverse_velocities", "implement_it")))
+    told = {remark.part: remark for remark in found}
+    for cell, text in words.items():
+        remark = told[cell.split()[0]]
+        assert not remark.ok
+        assert text in remark.text
 
 
 @pytest.mark.parametrize("mode", MODES)
 def test_an_empty_sheet_is_told_so(tmp_path, mode):
     _, found = checked(tmp_path, notebook("rrt_J = ...", about=about(mode)))
-    assert [(remark.ok, remark.text) for remark in found] == [(False, "not answered")] * 3
+    assert [(remark.part, remark.ok, remark.text) for remark in found] == [
+        (part.variable, False, "not answered") for part in EXERCISES["rrt"].asked
+    ]
 
 
 def test_a_file_of_matrices_is_checked_with_the_sheet_as_it_was_handed_out(tmp_path):
     sheet = tmp_path / "sheet.ipynb"
     sheet.write_bytes(notebook(about=about("practice")))
-    answers = references(EXERCISES["rrt"], variant_of("rrt"))
+    answers = references(EXERCISES["rrt"], variant_of("rrt", SEED))
     data = {"rrt_J": answers["rrt_J"].tolist(), "rrt_T": answers["rrt_T"].tolist()}
     _, found = checked(tmp_path, json.dumps(data).encode(), name="mine.json", sheet=sheet)
-    assert [remark.ok for remark in found] == [False, True, True]
+    assert {remark.part for remark in found if remark.ok} == set(data)
+
+
+HIDING = [exercise for exercise in EXERCISES.values() if exercise.hidden]
+
+
+def hiding_function():
+    """An exercise whose function is called on hidden numbers, its part, and a variant."""
+    exercise = EXERCISES["implement_it"]
+    return exercise, part_of(exercise, "implement_it_jacobian"), variant_of("implement_it", SEED)
+
+
+def test_numbers_that_stand_in_for_hidden_ones_are_those_of_another_draw():
+    exercise, _, v = hiding_function()
+    completed = with_samples(exercise, printed(exercise, v))
+    assert set(completed) == set(v)
+    for name in v:
+        assert (completed[name] == v[name]) is (name not in exercise.hidden)
+    assert with_samples(exercise, v) == v  # what a sheet says comes first
+    plain = EXERCISES["rrt"]
+    assert with_samples(plain, {"d1": 1.0}) == {"d1": 1.0}
+
+
+def test_hidden_numbers_stand_nowhere_in_what_is_handed_out(tmp_path):
+    assert HIDING
+    slugs = tuple(exercise.slug for exercise in HIDING)
+    course = handed_out(make_course(tmp_path, exercises=slugs, students=[("ada", "Ada")], more="matlab = true\n"))
+    released = course.folder / "released" / "ada"
+    handout = read_handout(released / "one.ipynb")
+    texts = [re.sub(r"data:image/[^\"]+", "", path.read_text(encoding="utf-8")) for path in sorted(released.iterdir())]
+    assert len(texts) == 2  # the notebook and the script
+    for exercise in HIDING:
+        v = drawn(course, exercise.slug)
+        hidden = {repr(abs(x)) for name in exercise.hidden for x in flat(v[name])}
+        open_ = {repr(abs(x)) for x in flat(printed(exercise, v))}
+        telling = {text for text in hidden - open_ if len(text) > 4}
+        assert len(telling) > 20
+        assert not set(handout.numbers[exercise.slug]) & set(exercise.hidden)
+        for text in texts:
+            assert set(re.findall(r"\d+\.\d+", text)) & open_
+            assert not set(re.findall(r"\d+\.\d+", text)) & telling
+
+
+def drawn(course, slug):
+    with Gradebook(course.folder / "gradebook.sqlite") as gradebook:
+        (record,) = (record for record in gradebook.records("one") if record.exercise == slug)
+    return record.numbers
+
+
+@pytest.mark.parametrize(
+    ("mode", "said"), [("practice", "correct"), ("graded", "can be read"), ("exam", "can be read")]
+)
+def test_a_function_is_checked_without_the_hidden_numbers(tmp_path, mode, said):
+    exercise, part, _ = hiding_function()
+    right, by_hand = checked(tmp_path, solved(mode, slugs=(exercise.slug,)))[1]
+    assert (right.part, right.ok) == (part.variable, True)
+    assert right.text.startswith(said)
+    assert by_hand.ok
+    assert "marked by hand" in by_hand.text
+    nothing = blank(part)
+    found, *_ = checked(tmp_path, notebook("import numpy as np", nothing, about=about(mode, exercise.slug)))[1]
+    assert (found.ok, "not answered" in found.text) == (False, True)
+
+
+def test_a_wrong_function_is_told_in_practice_group_by_group(tmp_path):
+    exercise, part, _ = hiding_function()
+    found, *_ = checked(tmp_path, solved("practice", slugs=(exercise.slug,), code=wrong_code))[1]
+    assert not found.ok
+    assert all(f"{name}: 0 of " in found.text for name in exercise.hidden)
+
+
+def test_published_results_are_checked_with_the_sheets_own_numbers(tmp_path):
+    exercise, part, v = hiding_function()
+    assert isinstance(part.answer, Function)
+    sheet = tmp_path / "sheet.ipynb"
+    sheet.write_bytes(notebook(about=about("practice", exercise.slug)))
+    function = references(exercise, v)[part.variable]
+    results = [function(*call).tolist() for group in part.answer.published(v).values() for call in group]
+    for changed, ok in ((results, True), (results[::-1], False)):
+        data = json.dumps({part.variable: changed}).encode()
+        found, *_ = checked(tmp_path, data, name="mine.json", sheet=sheet)[1]
+        assert (found.part, found.ok) == (part.variable, ok)
 
 
 @pytest.mark.parametrize(
