@@ -92,5 +92,8 @@ def _remarks(mode: Mode, exercise: Exercise, v: dict[str, Any], raws: Mapping[st
 
 def _told(verdict: Verdict) -> Remark:
     """All of a verdict but the reference: status, reading, findings, and which entries are right."""
-    texts = [STATUS_WORDS[verdict.status], verdict.reading, *(f.text for f in verdict.findings if not f.private)]
-    return Remark(verdict.part, verdict.status == "correct", " ".join(text for text in texts if text))
+    texts = [verdict.reading, *(f.text for f in verdict.findings if not f.private)]
+    said = " ".join(text for text in texts if text)
+    words = STATUS_WORDS[verdict.status]
+    ok = verdict.status in ("correct", "not_graded")  # what waits for somebody else is not to be looked at again
+    return Remark(verdict.part, ok, f"{words}: {said}" if said else words)

@@ -10,7 +10,7 @@ from .check import read_handout
 from .config import Course, CourseError, Sheet, Student
 from .files import write_atomically
 from .gradebook import Gradebook
-from .notebook import notebooks
+from .notebook import notebooks, printed
 from .starter_matlab import starter
 from .variant import Record, canonical, draw_record
 
@@ -56,7 +56,7 @@ def generate(
             fresh = _draw_missing(course.settings.secret, sheet, student, exercises, drawn)
             records = [drawn[student.id, exercise.slug] for exercise in exercises]
             if fresh:
-                _agree(_released(course, sheet, student), records)
+                _agree(_released(course, sheet, student), exercises, records)
                 gradebook.save_records(fresh)
             done.append(_release(course, sheet, student, exercises, records))
             step()
@@ -78,12 +78,13 @@ def _draw_missing(
     return fresh
 
 
-def _agree(path: Path, records: list[Record]) -> None:
+def _agree(path: Path, exercises: list[Exercise], records: list[Record]) -> None:
     """Refuses to record numbers for a notebook that was handed out with others."""
     if not path.exists():
         return
+    pairs = zip(exercises, records, strict=True)
     try:
-        same = read_handout(path).numbers == {record.exercise: record.numbers for record in records}
+        same = read_handout(path).numbers == {e.slug: printed(e, record.numbers) for e, record in pairs}
     except CourseError:
         same = False
     if not same:

@@ -13,12 +13,10 @@ import numpy as np
 
 from ..exercises.answers import Manual, Numbers
 from ..exercises.catalogue import exercise_files, find, load
-from ..exercises.exercise import Exercise, Part, solve
-from ..exercises.values import declared
+from ..exercises.exercise import Exercise, solve
 from ..grader.answer_key import AnswerKey
 from ..grader.handed_in import handed_in, rounded
-from ..grader.mark import mark
-from ..grader.verdict import Verdict
+from ..grader.mark import mark, mark_part
 from .config import Sheet, Student
 from .formulas import page_text
 from .nonsense import NONSENSE
@@ -181,22 +179,14 @@ def _is_manual(exercise: Exercise, variable: str) -> bool:
 
 
 def _unnamed_mistakes(exercise: Exercise, v: dict[str, Any], key: AnswerKey) -> Found:
-    """Known mistakes that give the right answer, or are not told apart from each other."""
-    right = {part.variable: handed_in(part.answer, key.reference[part.variable], v) for part in exercise.asked}
+    """Known mistakes that give the right answer, or have no name."""
     for part in exercise.asked:
-        given = {name: key.reference[name] for name in part.needs}
-        for mistake in part.mistakes:
-            value = declared(part.answer, mistake.solve(v, given), v)
-            raws = right | {part.variable: handed_in(part.answer, value, v)}
-            verdict = _of(part, mark(exercise, v, raws, key=key))
+        for sentence, mistaken in key.mistaken(part, key.wanted(part)):
+            verdict = mark_part(key, part, handed_in(part.answer, mistaken.value, v))
             if verdict.status == "correct":
-                yield part.variable, f"this known mistake gives the right answer: {mistake.sentence}"
+                yield part.variable, f"this known mistake gives the right answer: {sentence}"
             elif not verdict.findings and not verdict.reading:
-                yield part.variable, f"this known mistake is not named: {mistake.sentence}"
-
-
-def _of(part: Part, verdicts: Sequence[Verdict]) -> Verdict:
-    return next(verdict for verdict in verdicts if verdict.part == part.variable)
+                yield part.variable, f"this known mistake is not named: {sentence}"
 
 
 def _unprintable(exercise: Exercise, key: AnswerKey) -> Found:

@@ -224,7 +224,7 @@ of the tool body which is at that place now, where the body is imagined to be as
 - **tool axes, tool point**: `jacobe`, `jacobn` of roboticstoolbox, LOCAL of Pinocchio
 - **base axes, base origin**: WORLD of Pinocchio
 
-In the last question $\boldsymbol\xi$ (linear above angular) is the twist that some toolbox printed for the joint rates printed as qdot."""
+In the last question $\boldsymbol\xi$ (linear above angular) is the twist that some toolbox printed for the joint rates $\dot{{\mathbf q}}$."""
 
 
 EXERCISE = Exercise(
@@ -239,6 +239,7 @@ EXERCISE = Exercise(
         "qdot": ["rad/s", "rad/s", "m/s", "rad/s"],
         "xi": ["m/s"] * 3 + ["rad/s"] * 3,
     },
+    symbols={"qdot": r"\dot{\mathbf{q}}"},
     scale=lambda v: sum(lengths(v).values()),
     objectives=(
         "Say of a Jacobian in which axes and at which point it is.",

@@ -252,7 +252,7 @@ convention, $\mathbf T_{{i-1}}^i = R_z(\theta_i)\,T_z(d_i)\,T_x(a_i)\,R_x(\alpha
 {printed_table(table_rows(robot(v["form"])))}
 
 At $\mathbf q$ the rotation of the tool frame in base axes (those of frame 0) is $\mathbf R_1$, at $\mathbf q + d\mathbf q$ it is
-$\mathbf R_2$. Both are printed row by row, rounded to six decimals; $d\mathbf q$ is printed as dq. The rotation vector $d\mathbf w$ between
+$\mathbf R_2$. Both are printed rounded to six decimals. The rotation vector $d\mathbf w$ between
 them is the axis of the rotation in base axes times its angle, so that $\mathbf R_2 = \mathbf R(d\mathbf w)\,\mathbf R_1$. The angular rows of
 the Jacobian in base axes are $\mathbf B$, and $\mathbf B\,d\mathbf q$ is nearly $d\mathbf w$."""
 
@@ -267,10 +267,11 @@ EXERCISE = Exercise(
         **dict.fromkeys(LENGTHS, "m"),
         "q": ["rad", "rad", "m", "rad"],
         "dq": ["rad", "rad", "m", "rad"],
-        "R1": ["1"] * 3,
-        "R2": ["1"] * 3,
+        "R1": [["1"] * 3] * 3,
+        "R2": [["1"] * 3] * 3,
         "k": "1",
     },
+    symbols={"dq": r"d\mathbf{q}"},
     scale=lambda v: sum(lengths(v).values()),
     objectives=(
         "Read the rotation vector off two rotation matrices.",

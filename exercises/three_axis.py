@@ -258,7 +258,7 @@ $T_x, T_y, T_z$ move along and $R_x, R_z$ turn about an axis of the current fram
 For a small joint displacement $d\mathbf q$ the tool point moves, to first order, by $d\mathbf p = \mathbf A\,d\mathbf q$ and the tool frame
 turns by $d\mathbf w = \mathbf B\,d\mathbf q$; the Jacobian $\mathbf J$ stacks $\mathbf A$ above $\mathbf B$.
 
-The wished displacement of the tool point is $d\mathbf p$, printed below as dp. With it $\mathbf J\,d\mathbf q = d\mathbf u$
+The wished displacement of the tool point is $d\mathbf p$. With it $\mathbf J\,d\mathbf q = d\mathbf u$
 would be six equations for three unknowns, which in general contradict each other: only three of them can be prescribed."""
 
 
@@ -269,6 +269,7 @@ EXERCISE = Exercise(
     draw=draw,
     statement=statement,
     units={"L": "m", "a2": "m", "a3": "m", "q": ["rad", "rad", "rad"], "dp": ["m", "m", "m"]},
+    symbols={"dp": r"d\mathbf{p}"},
     scale=lambda v: v["L"] + v["a2"] + v["a3"],
     objectives=(
         "Find origins and joint axes of frames by multiplying transforms.",

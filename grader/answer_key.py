@@ -1,7 +1,7 @@
 """What one variant's answers are compared with: reference, tolerance and the entries that carry points, made once."""
 
-from dataclasses import dataclass
-from functools import lru_cache
+from dataclasses import dataclass, replace
+from functools import cached_property, lru_cache
 from typing import Any
 
 import numpy as np
@@ -9,12 +9,27 @@ from numpy.typing import NDArray
 
 from ..exercises.answers import Formulas, Numbers, TableOf, Variant
 from ..exercises.exercise import Exercise, Given, Part, references, solve
-from ..exercises.values import pictured
+from ..exercises.values import declared, pictured
 from .tolerance import tolerance
 
 Mask = NDArray[np.bool_]
 TRIVIAL = (-1.0, 0.0, 1.0)
 SAMPLE = 12  # draws that decide which entries vary between students
+
+
+def remembering(value: Any) -> Any:
+    """A function that is called once for each of its inputs; any other value as it is."""
+    if not callable(value):
+        return value
+    results: dict[str, Any] = {}
+
+    def remembered(*call: Any) -> Any:
+        name = repr(call)
+        if name not in results:
+            results[name] = value(*call)
+        return results[name]
+
+    return remembered
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,8 +47,9 @@ class AnswerKey:
     def __init__(self, exercise: Exercise, v: Variant) -> None:
         """Solves all parts. Raises ExerciseError where the exercise breaks its own declaration."""
         self.exercise, self.v = exercise, v
-        self.reference = references(exercise, v)
+        self.reference = {name: remembering(value) for name, value in references(exercise, v).items()}
         self._wanted: dict[str, Wanted] = {}
+        self._mistaken: dict[str, list[tuple[str, Wanted]]] = {}
         self._earning: dict[str, Mask] = {}
 
     def wanted(self, part: Part) -> Wanted:
@@ -43,13 +59,42 @@ class AnswerKey:
             self._wanted[part.variable] = self._with_tolerance(part, self.reference[part.variable], given)
         return self._wanted[part.variable]
 
+    def mistaken(self, part: Part, wanted: Wanted) -> list[tuple[str, Wanted]]:
+        """The sentence of each known mistake, and what it leads to from the same earlier answers."""
+        if wanted is not self._wanted.get(part.variable):
+            return self._mistakes(part, wanted)
+        if part.variable not in self._mistaken:
+            self._mistaken[part.variable] = self._mistakes(part, wanted)
+        return self._mistaken[part.variable]
+
+    def _mistakes(self, part: Part, wanted: Wanted) -> list[tuple[str, Wanted]]:
+        return [
+            (mistake.sentence, replace(wanted, value=remembering(declared(part.answer, value, self.v))))
+            for mistake in part.mistakes
+            for value in [mistake.solve(self.v, wanted.given)]
+        ]
+
+    @cached_property
+    def in_degrees(self) -> dict[str, Any]:
+        """Answers of somebody who takes every printed angle for degrees; empty where nothing follows from such."""
+        converted = dict(self.v)
+        for name, unit in self.exercise.units.items():
+            units = np.array(unit)
+            if name in self.v and (units == "rad").any():
+                numbers = np.asarray(self.v[name], dtype=float)
+                converted[name] = np.where(units == "rad", np.radians(numbers), numbers).tolist()
+        try:
+            return references(self.exercise, converted)
+        except Exception:  # noqa: BLE001 - an exercise may refuse such angles in any way; then it is no explanation
+            return {}
+
     def following(self, part: Part, given: Given) -> Wanted:
         """What follows from other earlier answers. Raises whatever `solve` makes of them."""
         return self._with_tolerance(part, solve(self.exercise.slug, part, self.v, given), given)
 
     def _with_tolerance(self, part: Part, value: Any, given: Given) -> Wanted:
         if not isinstance(part.answer, Numbers):
-            return Wanted(value, given, np.zeros(0))
+            return Wanted(remembering(value), given, np.zeros(0))
         return Wanted(value, given, tolerance(self.exercise, part, self.v, given, value))
 
     def earning(self, part: Part) -> Mask:

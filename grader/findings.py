@@ -1,17 +1,17 @@
 """Known ways to present or compute a right answer wrongly, as a table: what it does, and the sentence that names it."""
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..exercises.answers import Formulas, Numbers, Variant
-from ..exercises.exercise import Mistake, Part, references
-from ..exercises.values import declared, names_on_sheet
+from ..exercises.exercise import Part
+from ..exercises.values import names_on_sheet
 from ..solutions.expression import Expression
-from ..solutions.expression_array import POINTS, SAME, ExpressionArray, same_formulas, sample
+from ..solutions.expression_array import SAME, ExpressionArray, same_formulas, sampled
 from .answer_key import AnswerKey, Mask, Wanted
 from .compare import compare
 from .verdict import Finding
@@ -65,9 +65,8 @@ def presentation(key: AnswerKey, part: Part, wanted: Wanted, value: Any) -> Pres
         )
         pairs = [(value, wanted.value, wanted.allowed)]
     elif isinstance(answer, Formulas):
-        values = sample(names_on_sheet(answer.names, key.v), POINTS)
-        shape = (POINTS, *answer.shape)
-        own, reference = (np.broadcast_to(x.at(values), shape) for x in (value, wanted.value))
+        names = names_on_sheet(answer.names, key.v)
+        own, reference = (sampled(x, names) for x in (value, wanted.value))
         scaled = ()
         pairs = [(a, b, SAME * np.maximum(1.0, np.abs(b))) for a, b in zip(own, reference, strict=True)]
     else:
@@ -88,22 +87,17 @@ def findings(key: AnswerKey, part: Part, wanted: Wanted, value: Any, right: Any)
     if known:
         yield Finding(known.sentence)
         return
-    for mistake in part.mistakes:
-        if _meets(key, part, wanted, value, mistake):
-            yield Finding(mistake.sentence)
+    for sentence, mistaken in key.mistaken(part, wanted):
+        if compare(key, part, mistaken, value).all_right:
+            yield Finding(sentence)
             return
     if type(part.answer) in _FINDINGS:
         yield from _FINDINGS[type(part.answer)](key, part, wanted, value, np.asarray(right, dtype=bool))
 
 
-def _meets(key: AnswerKey, part: Part, wanted: Wanted, value: Any, mistake: Mistake) -> bool:
-    led_to = declared(part.answer, mistake.solve(key.v, wanted.given), key.v)
-    return compare(key, part, replace(wanted, value=led_to), value).all_right
-
-
 def _of_numbers(key: AnswerKey, part: Part, wanted: Wanted, value: Array, right: Mask) -> Iterator[Finding]:
     assert isinstance(part.answer, Numbers)  # noqa: S101 - chosen by this type
-    if _in_degrees(key, part, value, wanted.allowed):
+    if part.variable in key.in_degrees and _agree(value, key.in_degrees[part.variable], wanted.allowed):
         yield Finding("It is what comes out when the angles of q, given in radians, are taken as degrees.")
     elif _too_few_decimals(part.answer, wanted.value, value):
         yield Finding(f"It agrees after rounding to fewer decimals; {part.answer.decimals} are asked.")
@@ -134,21 +128,6 @@ def own_numbers(v: Variant) -> dict[str, float]:
 def _negated(value: ExpressionArray) -> ExpressionArray:
     negated = (Expression((*entry.nodes, ("neg", len(entry.nodes) - 1))) for entry in value.entries)
     return ExpressionArray(tuple(negated), value.shape)
-
-
-def _in_degrees(key: AnswerKey, part: Part, value: Array, allowed: Array) -> bool:
-    exercise, v = key.exercise, key.v
-    converted = dict(v)
-    for name, unit in exercise.units.items():
-        units = np.array(unit)
-        if name in v and (units == "rad").any():
-            numbers = np.asarray(v[name], dtype=float)
-            converted[name] = np.where(units == "rad", np.radians(numbers), numbers).tolist()
-    try:
-        seen = references(exercise, converted)[part.variable]
-    except Exception:  # noqa: BLE001 - an exercise may refuse such angles in any way; then it is no explanation
-        return False
-    return _agree(value, seen, allowed)
 
 
 def _too_few_decimals(answer: Numbers, reference: Array, value: Array) -> bool:

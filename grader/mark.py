@@ -15,7 +15,7 @@ from .answer_key import AnswerKey, Wanted
 from .findings import findings
 from .follow import Others, is_trivial, may_be_followed, owner_of, zeros_pass
 from .judge import Judged, judged
-from .read import Results, read
+from .read import UNANSWERED, Results, read
 from .unreadable import Unreadable
 from .verdict import Finding, Verdict, not_graded
 from .wire import Raw
@@ -62,6 +62,17 @@ def mark(
     return [_with_note(verdict, raws.get(name, Raw("missing"))) for name, verdict in sheet.verdicts.items()]
 
 
+def mark_part(key: AnswerKey, part: Part, raw: Raw) -> Verdict:
+    """The verdict of one part by itself: nothing follows from other answers."""
+    sheet = _Sheet(key, {}, {}, {})
+    try:
+        answer = read(part.answer, raw, key.v)
+    except Unreadable as error:
+        return _unreadable(part, raw, str(error))
+    _mark_readable(sheet, part, answer, {})
+    return sheet.verdicts[part.variable]
+
+
 def _mark_readable(sheet: _Sheet, part: Part, answer: Any, others: Others) -> None:
     try:
         verdict = _verdict(sheet, part, answer)
@@ -97,6 +108,8 @@ def _with_note(verdict: Verdict, raw: Raw) -> Verdict:
 def _unreadable(part: Part, raw: Raw, sentence: str) -> Verdict:
     if raw.kind == "missing":
         return Verdict(part.variable, "missing", 0.0, part.points)
+    if sentence.startswith(UNANSWERED):  # a function as it was handed out
+        return Verdict(part.variable, "missing", 0.0, part.points, (Finding("The function returns nothing."),))
     said, *typed = sentence[:MOST_TEXT].split("\n")
     said = f"In your file: {said}." if raw.kind == "error" else f"{said[:1].upper()}{said[1:]}."
     text = "\n".join([said, *typed])

@@ -25,6 +25,7 @@ from .read_table import read_table
 from .unreadable import Unreadable, clip
 from .wire import Raw
 
+UNANSWERED = "not answered"
 NOTHING = "not a matrix of numbers: None"  # what the collector says of a call that returned None
 
 
@@ -46,7 +47,7 @@ def read(answer: Answer, raw: Raw, v: Variant) -> Any:
         Unreadable: nothing was handed in, or it is of another kind or shape; the sentence says what was expected.
     """
     if raw.kind == "missing":
-        raise Unreadable("not answered")
+        raise Unreadable(UNANSWERED)
     if raw.kind == "error":
         raise Unreadable(str(raw.value))
     return _READERS[type(answer)](answer, raw, v)
@@ -64,7 +65,7 @@ def _choice(answer: Choice, raw: Raw, _: Variant) -> str:
 def _results(answer: Function, raw: Raw, v: Variant) -> Results:
     if raw.kind == "calls":
         if all(result.kind == "error" and NOTHING in str(result.value) for result in raw.value):
-            raise Unreadable("not answered: the function returns nothing")
+            raise Unreadable(f"{UNANSWERED}: the function returns nothing")
         return Results(tuple(map(_result, raw.value)), raw.listed)
     if raw.kind == "num" and answer.published and raw.value.ndim > 1:  # a list of results of one shape
         return Results(tuple(np.asarray(x, dtype=float) for x in raw.value), published=True)

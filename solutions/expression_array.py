@@ -4,6 +4,7 @@ import math
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from importlib import import_module
 from typing import Any
 
@@ -81,13 +82,17 @@ def same_formulas(a: ExpressionArray, b: ExpressionArray, names: Sequence[str]) 
 
     Points where the second is infinite or has no value are left out; where the first alone has none, they differ.
     """
-    values = sample(names, POINTS)
-    ours, theirs = a.at(values), b.at(values)
-    ours, theirs = (np.broadcast_to(x, (POINTS, *b.shape)) for x in (ours, theirs))
+    ours, theirs = (sampled(x, tuple(names)) for x in (a, b))
     defined = np.isfinite(theirs)
     with np.errstate(invalid="ignore"):
         close = np.abs(ours - theirs) <= SAME * np.maximum(1.0, np.abs(theirs))
     return np.asarray((close | ~defined).all(axis=0) & defined.any(axis=0))
+
+
+@lru_cache(maxsize=512)
+def sampled(array: ExpressionArray, names: tuple[str, ...]) -> NDArray[np.float64]:
+    """Numbers (8, *shape) of an array at the points where formulas are compared; kept, since references come again."""
+    return np.broadcast_to(array.at(sample(names, POINTS)), (POINTS, *array.shape))
 
 
 def sample(names: Sequence[str], count: int) -> dict[str, NDArray[np.float64]]:

@@ -95,7 +95,7 @@ def _other_letter(answer, value, _):
 
 
 _WRONG = {
-    Numbers: lambda answer, value, _: -1.3 * value + 0.05,
+    Numbers: lambda _, value, __: -1.3 * value + 0.05,
     Configurations: lambda _, value, __: -1.3 * value + 0.05,
     TableOf: _other_table,
     Formulas: _other_formulas,

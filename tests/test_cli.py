@@ -5,6 +5,7 @@ import json
 import sqlite3
 
 import pytest
+from answers import EXERCISES, variant_of
 from courses import CLASS, files_of, hand_in, make_course, notebook, right_answers
 from kinegrade.course import cli
 from kinegrade.course.config import read_course
@@ -172,7 +173,7 @@ def test_a_changed_reference_waits_until_it_is_accepted(kinegrade, folder):
     path = folder / "exercises" / "lever.py"
     path.write_text(path.read_text(encoding="utf-8").replace("np.array([-y, x])", "np.array([y, x])"), encoding="utf-8")
     waiting = kinegrade("grade", "-c", folder)
-    assert "not graded" in waiting.out
+    assert ["ada", "✓?", "2", "+", "?", "/", "5"] in [line.split()[:7] for line in waiting.out.splitlines()]
     assert "--accept-change" in waiting.out
     assert grades(folder)["ada"]["points"] == ""
     accepted = kinegrade("grade", "--accept-change", "-c", folder)
@@ -270,8 +271,8 @@ def test_a_bad_submission_ends_with_0_and_everybody_else_is_marked(kinegrade, fo
 
 def handed_in(tmp_path, mode, *cells):
     path = tmp_path / "mine.ipynb"
-    v = {"L": 1.0, "a2": 0.5, "a3": 0.5, "q": [0.3, 0.4, 0.5]}
-    about = {"sheet": "one", "mode": mode, "exercises": ["three_axis"], "numbers": {"three_axis": v}}
+    numbers = {"three_axis": variant_of("three_axis")}
+    about = {"sheet": "one", "mode": mode, "exercises": ["three_axis"], "numbers": numbers}
     path.write_bytes(notebook(*cells, about=about))
     return path
 
@@ -280,18 +281,28 @@ def handed_in(tmp_path, mode, *cells):
 def test_check_ends_with_1_when_something_is_wrong_with_the_file(kinegrade, tmp_path, mode):
     ran = kinegrade("check", handed_in(tmp_path, mode, "three_axis_A = [[1, 2], [3, 4]]"))
     assert ran.code == 1
-    lines = ran.out.splitlines()
-    assert [line.split()[0] for line in lines] == ["✗"] * 5
-    assert "shape (3, 3)" in lines[2]
+    lines = [line.split(None, 2) for line in ran.out.splitlines()]
+    assert [line[:2] for line in lines] == [["✗", part.variable] for part in EXERCISES["three_axis"].asked]
+    assert "shape (3, 3)" in next(words for _, name, words in lines if name == "three_axis_A")
     assert ran.err.strip().startswith(mode.capitalize())
 
 
 def test_check_ends_with_0_when_all_can_be_read_in_an_exam(kinegrade, tmp_path):
-    shapes = {"p": (3, 4), "z": (3, 3), "A": (3, 3), "B": (3, 3), "J": (6, 3)}
-    cells = [f"three_axis_{name} = [[0.5] * {n}] * {m}" for name, (m, n) in shapes.items()]
+    asked = EXERCISES["three_axis"].asked
+    cells = [f"{part.variable} = np.full({part.answer.shape}, 0.5)" for part in asked]
     ran = kinegrade("check", handed_in(tmp_path, "exam", *cells))
-    assert (ran.code, ran.out.count("✓")) == (0, 5)
+    assert (ran.code, ran.out.count("✓")) == (0, len(asked))
     assert "nothing more" in ran.err
+
+
+def test_check_shows_where_a_formula_cannot_be_read(kinegrade, tmp_path):
+    path = tmp_path / "mine.ipynb"
+    about = {"sheet": "one", "mode": "exam", "exercises": ["rrt"], "numbers": {"rrt": variant_of("rrt")}}
+    path.write_bytes(notebook("rrt_det = 'sin(q2) + wrong'", about=about))
+    lines = kinegrade("check", path).out.splitlines()
+    (first,) = (i for i, line in enumerate(lines) if line.startswith("✗ rrt_det "))
+    assert lines[first + 1].strip() == "sin(q2) + wrong"
+    assert lines[first + 2].index("^") == lines[first + 1].index("wrong")
 
 
 def test_check_shows_what_a_terminal_would_obey_as_text(kinegrade, tmp_path):

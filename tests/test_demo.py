@@ -6,8 +6,12 @@ import sqlite3
 import pytest
 from courses import files_of
 from kinegrade.course.config import CourseError, read_course
-from kinegrade.course.demo import HABITS, run_demo
+from kinegrade.course.demo import COMMENT, HABITS, SHEETS, run_demo
+from kinegrade.course.sheets import exercises_of
+from kinegrade.exercises.answers import Manual
+from kinegrade.exercises.catalogue import exercise_files
 
+STUDENTS = [f"student{i:02}" for i in range(1, len(HABITS) + 1)]
 MISTAKES = {
     3: "Only a sign is wrong",
     4: "The angular rows seem to stand above the linear ones",
@@ -21,48 +25,73 @@ MISTAKES = {
 }
 
 
-def grades(folder):
-    with (folder / "grades.csv").open(encoding="utf-8", newline="") as file:
-        return list(csv.DictReader(file))
+def grades(folder, sheet):
+    with (folder / f"grades-{sheet}.csv").open(encoding="utf-8", newline="") as file:
+        return {row["student"]: row for row in csv.DictReader(file)}
 
 
+def share(row):
+    return float(row["points"]) / float(row["out_of"])
+
+
+@pytest.mark.slow
 def test_the_demonstration_marks_a_class_of_twelve_and_twice_the_same(tmp_path, capsys):
     """One test for all of it: building the class takes most of the time."""
     folder = tmp_path / "demo"
     run_demo(folder)
     first = capsys.readouterr()
-    rows = grades(folder)
-    assert [row["student"] for row in rows] == [f"student{i:02}" for i in range(1, 13)]
-    assert [row["name"] for row in rows] == [habit.title for habit in HABITS]
-    assert {row["status"] for row in rows} == {"graded"}
+    course = read_course(folder)
+    found = {name: grades(folder, name) for name, *_ in SHEETS}
+    for rows in found.values():
+        assert [*rows] == STUDENTS
+        assert [row["name"] for row in rows.values()] == [habit.title for habit in HABITS]
+        assert share(rows["student01"]) == 1
+        assert share(rows["student02"]) > 0.8  # rounded to fewer decimals than asked
+        assert share(rows["student09"]) == 0  # empty
 
-    points = [float(row["points"]) / float(row["out_of"]) for row in rows]
-    assert points[0] == 1
-    assert points[1] > 0.8  # rounded to fewer decimals than asked
-    assert points[8] == points[11] == 0  # empty, and somebody else's
-    assert all(0.2 < share < 1 for share in points[2:8] + points[9:11])
+    jacobian = {student: share(row) for student, row in found["jacobian"].items()}
+    assert jacobian["student12"] < 0.1  # somebody else's
+    assert all(0.2 < jacobian[f"student{i:02}"] < 1 for i in (3, 4, 5, 6, 7, 8, 10, 11))
     report = (folder / "report" / "index.html").read_text(encoding="utf-8")
-    for student, words in MISTAKES.items():
-        page = folder / "feedback" / f"student{student:02}" / "jacobian.html"
-        assert words in (report if student == 12 else page.read_text(encoding="utf-8")), student
+    for number, words in MISTAKES.items():
+        page = folder / "feedback" / f"student{number:02}" / "jacobian.html"
+        assert words in (report if number == 12 else page.read_text(encoding="utf-8")), number
     assert "student01" not in (folder / "feedback" / "student12" / "jacobian.html").read_text(encoding="utf-8")
-    assert "student12" in first.out
+
+    by_hand = {
+        (sheet.name, part.variable)
+        for sheet in course.settings.sheet
+        for exercise in exercises_of(course, sheet)
+        for part in exercise.asked
+        if isinstance(part.answer, Manual)
+    }
+    assert by_hand
+    for sheet, rows in found.items():
+        waiting = [part for name, part in by_hand if name == sheet]
+        for student, row in rows.items():
+            assert row["status"] == ("not_graded" if waiting and student == STUDENTS[-1] else "graded")
+            assert all(row[part] == "" for part in waiting) is (row["status"] == "not_graded") or not waiting
+        if waiting:
+            page = (folder / "feedback" / "student01" / f"{sheet}.html").read_text(encoding="utf-8")
+            assert COMMENT in page
+    assert all(student in first.out for student in STUDENTS)
     assert "Feedback: " in first.err
 
-    files = files_of(folder)
-    run_demo(folder)
-    assert capsys.readouterr() == first
-    assert files_of(folder) == files
-
     with sqlite3.connect(folder / "gradebook.sqlite") as connection:
-        connection.executescript("DELETE FROM grade; DELETE FROM current;")
+        connection.executescript(
+            "DELETE FROM grade WHERE sheet = 'jacobian'; DELETE FROM current WHERE sheet = 'jacobian';"
+        )
     connection.close()
-    run_demo(folder)
+    files = files_of(folder)
+    run_demo(folder)  # one sheet is marked anew, the others are left as they were
     assert capsys.readouterr() == first
-    assert grades(folder) == rows
-    for name in files:
-        if not name.endswith(".sqlite"):
-            assert (folder / name).read_bytes() == files[name], name
+    again = files_of(folder)
+    assert set(again) == set(files)
+    assert [name for name in files if not name.endswith(".sqlite") and again[name] != files[name]] == []
+
+
+def test_the_demonstration_has_every_exercise_on_one_sheet():
+    assert sorted(slug for *_, slugs in SHEETS for slug in slugs.split()) == sorted(exercise_files())
 
 
 def test_the_demonstration_leaves_another_course_alone(tmp_path):

@@ -54,7 +54,7 @@ def test_ids_and_marks_are_never_broken_over_lines(tmp_path):
 
 
 @pytest.mark.parametrize(
-    "text", ["[/b] [red]x[/red]", "[bold", "\x1b]0;title\x07\x1b[2J", "a\rb\nc\u202ed", "\ud800", "[link=x]y[/]"]
+    "text", ["[/b] [red]x[/red]", "[bold", "\x1b]0;title\x07\x1b[2J", "a\rb\u202ec", "\ud800", "[link=x]y[/]"]
 )
 @pytest.mark.parametrize("color", [False, True])
 def test_a_remark_is_shown_as_text_and_never_obeyed(tmp_path, text, color):
@@ -73,13 +73,28 @@ def test_a_remark_is_shown_as_text_and_never_obeyed(tmp_path, text, color):
     [
         ((verdict(), verdict("lever_J", "partly", 0.5)), "2.5 / 4", "graded"),
         ((verdict("lever_p", "missing", 0.0),), "0 / 2", "graded"),
-        ((verdict(), not_graded("lever_J", 3, "wait")), "not graded", "not_graded"),
+        ((verdict(), not_graded("lever_J", 3, "wait")), "2 + ? / 5", "not_graded"),
+        ((verdict("lever_p", "missing", 0.0), not_graded("lever_J", 3, "wait")), "0 + ? / 5", "not_graded"),
+        ((not_graded("lever_p", 2, "wait"), not_graded("lever_J", 3, "wait")), "not graded", "not_graded"),
         ((), "—", "no_submission"),
     ],
 )
 def test_what_waits_is_never_a_zero(verdicts, points, word):
     assert points_text(result(*verdicts)) == points
     assert status(result(*verdicts)) == word
+
+
+def test_a_remark_is_the_sentence_without_the_typed_lines_behind_it(tmp_path):
+    found = result(verdict("lever_p", "failed", 0.0, "Row 1: the bracket is not closed.\nsin(q1\n   ^"))
+    assert remark(found) == "lever_p: Row 1: the bracket is not closed."
+    plain = printed(tmp_path, [result(verdict("lever_p", "failed", 0.0, "Row 1: the bracket is not closed."))])
+    assert printed(tmp_path, [found]) == plain
+
+
+def test_a_part_that_is_right_has_no_remark():
+    right, wrong = verdict("lever_p", "correct", 2.0, "Well done."), verdict("lever_J", "partly", 1.0, "Look again.")
+    assert remark(result(right, wrong)) == "lever_J: Look again."
+    assert remark(result(right)) == ""
 
 
 def test_a_remark_for_students_leaves_out_what_is_private():
