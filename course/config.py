@@ -10,10 +10,12 @@ from dataclasses import dataclass
 from difflib import get_close_matches
 from importlib.resources import files
 from pathlib import Path
+from textwrap import wrap
 from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
+from ..exercises.catalogue import exercise_files
 from ..solutions.errors import KinegradeError
 from .files import write_atomically
 
@@ -207,7 +209,8 @@ def _text(path: Path, missing: str) -> str:
 def course_text(title: str, secret: str) -> str:
     """A commented course.toml."""
     template = files("kinegrade.course").joinpath("templates/course.toml").read_text(encoding="utf-8")
-    return template.replace("@TITLE@", title).replace("@SECRET@", secret)
+    known = "\n# ".join(wrap(", ".join(sorted(exercise_files())), 100))
+    return template.replace("@TITLE@", title).replace("@SECRET@", secret).replace("@EXERCISES@", known)
 
 
 def write_course(folder: Path, title: str = "The robot Jacobian") -> None:

@@ -87,7 +87,7 @@ def _matrices(part: Part, verdict: Verdict) -> list[list[list[dict[str, Any]]]]:
     return [
         [
             [
-                {"text": x if isinstance(x, str) else number(x, decimals), "right": ok}
+                {"text": x if isinstance(x, str) else number(x, decimals), "right": ok, "typed": isinstance(x, str)}
                 for x, ok in zip(xs, oks, strict=True)
             ]
             for xs, oks in zip(rows, flags, strict=True)

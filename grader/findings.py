@@ -82,15 +82,15 @@ def _agree(value: Array, seen: Array | None, allowed: Array) -> bool:
 
 
 def findings(key: AnswerKey, part: Part, wanted: Wanted, value: Any, right: Any) -> Iterator[Finding]:
-    """Sentences for a readable but wrong answer, the surest first."""
-    known = presentation(key, part, wanted, value)
-    if known:
-        yield Finding(known.sentence)
-        return
+    """Sentences for a readable but wrong answer: what the exercise knows, then what may happen to any answer."""
     for sentence, mistaken in key.mistaken(part, wanted):
         if compare(key, part, mistaken, value).all_right:
             yield Finding(sentence)
             return
+    known = presentation(key, part, wanted, value)
+    if known:
+        yield Finding(known.sentence)
+        return
     if type(part.answer) in _FINDINGS:
         yield from _FINDINGS[type(part.answer)](key, part, wanted, value, np.asarray(right, dtype=bool))
 

@@ -49,7 +49,9 @@ def raws_of(exercise, v, answers):
 
 
 def _raw_of(part, v, value):
-    return value if isinstance(value, Raw) else handed_in(part.answer, declared(part.answer, value, v), v)
+    if isinstance(value, Raw | np.ndarray):  # numbers may be of another shape than is asked
+        return raw(value)
+    return handed_in(part.answer, declared(part.answer, value, v), v)
 
 
 def right_raws(exercise, v):
@@ -112,7 +114,8 @@ def telling(part, value, v):
     Cells of a table and numbers with two decimals or fewer are too common to tell anything; so are a function's.
     """
     if isinstance(part.answer, Numbers | Configurations):
-        return {f"{abs(x):.3f}" for x in np.ravel(value) if abs(x - round(x, 2)) > 1e-6}
+        sizes = [x for x in np.abs(np.ravel(value)) if x > 0.01 and abs(x - round(x, 2)) > 1e-6]
+        return {text for x in sizes for text in (f"{x:.3f}", f"{x:.9f}"[:-6])}  # rounded, and as more decimals begin
     if isinstance(part.answer, Formulas):
         return {str(entry) for entry in value.entries if len(str(entry)) > 8}
     if isinstance(part.answer, Conditions):

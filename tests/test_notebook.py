@@ -1,22 +1,24 @@
 """Sheets as notebooks: valid, the same bytes every time, runnable as handed out, and without an answer in them."""
 
+import ast
 import json
 import re
 from contextlib import redirect_stdout
 from io import StringIO
+from pathlib import Path
 
 import nbformat
 import numpy as np
 import pytest
-from answers import EXERCISES, variant_of
-from courses import BUNDLED, lever, sheet
-from kinegrade.course.blanks import answer_code, self_check
+from answers import EXERCISES, flat, telling, variant_of
+from courses import BUNDLED, exercise_of, lever, sheet
+from kinegrade.course.blanks import self_check
 from kinegrade.course.config import Student
-from kinegrade.course.notebook import given_cell, notebooks
-from kinegrade.exercises.exercise import Numbers, references
-from kinegrade.grader.collect import Ask, collect
+from kinegrade.course.notebook import given_cell, notebooks, printed
+from kinegrade.course.submissions import Submission
+from kinegrade.exercises.exercise import Choice, Manual, Part, references
+from kinegrade.grader.ask import Limits
 from kinegrade.grader.mark import mark
-from kinegrade.solutions.table import Table
 from markdown_it import MarkdownIt
 from nbclient import NotebookClient
 
@@ -74,17 +76,34 @@ def test_a_sheet_as_handed_out_runs_from_top_to_bottom_in_jupyter(bundled_course
     assert said.count("not answered yet") == len(asked)
 
 
-def test_a_sheet_as_handed_out_is_not_answered(bundled_course):
-    written = (bundled_course.folder / "released" / "ada" / "one.ipynb").read_bytes()
-    asked = [Ask(part.variable) for slug in BUNDLED for part in EXERCISES[slug].asked]
-    assert {raw.kind for raw in collect(written, asked).values()} == {"missing"}
+def marked(written, exercise, v):
+    """Verdicts by variable on a notebook."""
+    submission = Submission(Path("one.ipynb"), written)
+    verdicts = mark(exercise, v, submission.raws(submission.asks(exercise, v), Limits()))
+    return {verdict.part: verdict for verdict in verdicts}
+
+
+def expected(exercise, status):
+    """That status, but for what is marked by hand: it waits where something is there or may be on paper."""
+    by_hand = {
+        part.variable: "missing" if status == "missing" and not part.answer.on_paper else "not_graded"
+        for part in exercise.asked
+        if isinstance(part.answer, Manual)
+    }
+    return {part.variable: status for part in exercise.asked} | by_hand
+
+
+def test_a_sheet_as_handed_out_is_not_answered(exercise):
+    handout, _ = both([exercise])
+    found = marked(handout, exercise, variant_of(exercise.slug))
+    assert {name: verdict.status for name, verdict in found.items()} == expected(exercise, "missing")
+    assert all(verdict.points in (0, None) for verdict in found.values())
 
 
 def test_the_worked_solution_earns_full_marks(exercise):
     _, solution = both([exercise], seed=2)
-    raws = collect(solution, [Ask(part.variable) for part in exercise.asked])
-    verdicts = mark(exercise, variant_of(exercise.slug, 2), raws)
-    assert {verdict.status for verdict in verdicts} == {"correct"}
+    found = marked(solution, exercise, variant_of(exercise.slug, 2))
+    assert {name: verdict.status for name, verdict in found.items()} == expected(exercise, "correct")
 
 
 def test_a_worked_solution_is_marked_as_one_and_has_no_numbers_for_a_check(exercise):
@@ -94,17 +113,35 @@ def test_a_worked_solution_is_marked_as_one_and_has_no_numbers_for_a_check(exerc
     assert "numbers" not in json.loads(solution)["metadata"]["kinegrade"]
 
 
+def secrets_of(exercise, v):
+    """Texts that tell an answer and are not part of the question: numbers that were drawn, options of a choice."""
+    asked = exercise.statement(v) + given_cell(exercise, v) + "".join(part.prompt for part in exercise.asked)
+    asked += " ".join(f"{abs(x):.4f}" for x in flat(printed(exercise, v)))
+    answers = references(exercise, v)
+    parts = [part for part in exercise.asked if not isinstance(part.answer, Choice)]
+    told = {text for part in parts for text in telling(part, answers[part.variable], v)}
+    return {text for text in told if text not in asked}
+
+
 def test_a_handed_out_sheet_holds_no_answer(exercise):
-    v = variant_of(exercise.slug)
-    handout, solution = both([exercise])
-    texts = [re.sub(r"data:image/[^\"]+", "", written.decode()) for written in (handout, solution)]
-    answers = [references(exercise, v)[part.variable] for part in exercise.asked]
-    values = {abs(x) for answer in answers if not isinstance(answer, Table) for x in answer.ravel()}
-    drawn = {round(abs(x), 3) for value in v.values() for x in (value if isinstance(value, list) else [value])}
-    telling = [f"{x:.3f}"[:-1] for x in values if abs(x - round(x, 2)) > 1e-6 and round(x, 3) not in drawn]
-    assert len(telling) > 3
-    assert [text for text in telling if text in texts[0] and len(text) > 5] == []
-    assert any(text in texts[1] for text in telling)
+    secrets = secrets_of(exercise, variant_of(exercise.slug))
+    handout, solution = ("\n".join(sources(written) + sources(written, "markdown")) for written in both([exercise]))
+    pictureless = re.sub(r"data:image/[^\"]+", "", handout)
+    assert secrets
+    assert [text for text in secrets if text in pictureless] == []
+    assert any(text in solution for text in secrets)
+
+
+def test_the_letter_of_a_choice_differs_between_students():
+    """Where it does not, the statement of the exercise asks about a fact."""
+    letters = {}
+    for exercise in EXERCISES.values():
+        for part in exercise.asked:
+            if isinstance(part.answer, Choice):
+                drawn = [references(exercise, variant_of(exercise.slug, seed))[part.variable] for seed in range(8)]
+                letters[part.variable] = set(drawn)
+    assert len(letters["find_the_mistake_name"]) > 2
+    assert len(set().union(*letters.values())) > 2
 
 
 def test_what_a_check_needs_stands_in_the_metadata(tmp_path):
@@ -129,12 +166,37 @@ def test_an_exam_has_no_hints(mode, hinted):
 def test_every_part_has_a_blank_of_its_own_and_its_points(exercise):
     handout, _ = both([exercise])
     for part in exercise.asked:
-        assert sum(source.startswith(f"{part.variable} = ...") for source in sources(handout)) == 1
+        blanks = (f"{part.variable} = ...", f"def {part.variable}(")
+        assert sum(source.startswith(blanks) for source in sources(handout)) == 1
         assert any(
             text.startswith(f"**`{part.variable}`** ({part.points:g} point") for text in sources(handout, "markdown")
         )
-    total = sum(part.points for part in exercise.asked)
-    assert f"{total:g} points" in sources(handout, "markdown")[0]
+    assert f"{exercise.points:g} points" in sources(handout, "markdown")[0]
+
+
+def test_the_options_of_a_choice_stand_below_its_question_with_their_letters():
+    exercise = EXERCISES["find_the_mistake"]
+    handout, _ = both([exercise])
+    (part,) = (part for part in exercise.asked if isinstance(part.answer, Choice))
+    (cell,) = (text for text in sources(handout, "markdown") if text.startswith(f"**`{part.variable}`**"))
+    for letter, option in zip(part.answer.letters, part.answer.options, strict=True):
+        assert f"\n- **{letter})** {option}" in cell
+
+
+@pytest.mark.parametrize(("on_paper", "words"), [(False, "Marked by hand."), (True, "On paper, marked by hand.")])
+def test_what_is_marked_by_hand_says_so_and_the_solution_has_its_rubric(on_paper, words):
+    part = Part(
+        "t_why", "Why", 3, Manual(((1, "a reason"), (2, "an example")), on_paper=on_paper), lambda *_: "The key."
+    )
+    exercise = exercise_of(part)
+    handout, solution = notebooks("Tests", sheet(exercises=("t",)), ADA, [(exercise, {"x": 0.5})])
+    assert any(
+        text.startswith("**`t_why`** (3 points): Why.") and words in text for text in sources(handout, "markdown")
+    )
+    assert "- 1 point: a reason\n- 2 points: an example" in sources(solution, "markdown")
+    assert "t_why = 'The key.'" in sources(solution)
+    assert b"an example" not in handout
+    assert b"The key." not in handout
 
 
 @pytest.mark.parametrize("name", NASTY)
@@ -164,20 +226,22 @@ def test_the_given_cell_sets_every_printed_number_exactly(exercise):
 
 
 def test_the_given_cell_names_the_units(exercise):
-    lines = given_cell(exercise, variant_of(exercise.slug)).splitlines()
-    assert all(re.search(r"# \[[^\]]+\]$", line) for line in lines[1:])
+    """Behind every number; behind the last line of one that stands in several."""
+    cell = given_cell(exercise, variant_of(exercise.slug))
+    ends = [node.end_lineno for node in ast.parse(cell).body]
+    lines = cell.splitlines()
+    assert ends
+    assert all(re.search(r"# \[[^\]]+\]$", lines[end - 1]) for end in ends)
 
 
-def test_an_answer_as_code_is_the_answer(exercise):
+def test_only_what_has_a_unit_is_printed(exercise):
     v = variant_of(exercise.slug)
-    for name, answer in references(exercise, v).items():
-        part = next(part for part in exercise.parts if part.variable == name)
-        scope = {"np": np}
-        exec(answer_code(part, answer), scope)  # noqa: S102
-        if isinstance(part.answer, Numbers):
-            np.testing.assert_allclose(scope[name], answer, rtol=0, atol=6e-10)
-        else:
-            assert scope[name] == [[str(cell) for cell in row] for row in answer.rows]
+    scope = {"np": np}
+    exec(given_cell(exercise, v), scope)  # noqa: S102
+    names = {name for name in scope if name.startswith(f"{exercise.slug}_")}
+    assert names == {f"{exercise.slug}_{name}" for name in exercise.units if name in v}
+    assert not {f"{exercise.slug}_{name}" for name in exercise.hidden} & names
+    assert not set(exercise.hidden) & set(printed(exercise, v))
 
 
 def checked(exercise, code):

@@ -2,8 +2,9 @@
 
 import numpy as np
 import pytest
-from answers import EXERCISES, raws, variant_of
-from kinegrade.exercises.exercise import references
+from answers import EXERCISES, part_of, raws_of, right_raws, variant_of
+from kinegrade.exercises.exercise import Manual, references
+from kinegrade.exercises.values import declared
 from kinegrade.grader.own_work import remarks
 from kinegrade.grader.wire import Raw
 
@@ -11,12 +12,13 @@ from kinegrade.grader.wire import Raw
 def told(slug, changes, *, consistency=True, seed=0):
     exercise, v = EXERCISES[slug], variant_of(slug, seed)
     answers = references(exercise, v) | changes
-    return {remark.part: remark for remark in remarks(exercise, v, raws(answers), consistency=consistency)}
+    found = remarks(exercise, v, raws_of(exercise, v, answers), consistency=consistency)
+    return {remark.part: remark for remark in found}
 
 
 def test_a_right_sheet_fits_itself(exercise):
     v = variant_of(exercise.slug)
-    found = list(remarks(exercise, v, raws(references(exercise, v)), consistency=True))
+    found = list(remarks(exercise, v, right_raws(exercise, v), consistency=True))
     assert [remark.part for remark in found] == [part.variable for part in exercise.asked]
     assert all(remark.ok for remark in found)
 
@@ -28,9 +30,33 @@ def test_a_jacobian_that_does_not_follow_from_the_own_transforms_is_told():
 
 
 def test_a_wrong_but_consistent_sheet_is_not_given_away():
-    exercise = EXERCISES["three_axis"]
+    exercise, v = EXERCISES["three_axis"], variant_of("three_axis")
     theirs = references(exercise, variant_of("three_axis", 9))
-    assert all(remark.ok for remark in told("three_axis", theirs).values())
+    own = {name: theirs[name] for name in ("three_axis_p", "three_axis_z")}
+    for part in exercise.parts:
+        if part.variable not in own:
+            own[part.variable] = part.solve(v, own)
+    assert all(remark.ok for remark in told("three_axis", own).values())
+
+
+def test_wrong_formulas_and_numbers_that_fit_them_are_not_given_away():
+    exercise, v = EXERCISES["planar_2r"], variant_of("planar_2r")
+    pose, J = part_of(exercise, "planar_2r_pose"), part_of(exercise, "planar_2r_J_symbolic")
+    own = {
+        pose.variable: declared(pose.answer, ["l1*cos(q1) + l2*cos(q1 + q2)", "l1*sin(q1) + l2*sin(q1 + q2)", "q1"], v)
+    }
+    fitting = told("planar_2r", {**own, J.variable: J.solve(v, own)})
+    assert fitting[J.variable].ok
+    assert not told("planar_2r", own)[J.variable].ok
+
+
+def test_what_is_marked_by_hand_is_there_or_not():
+    exercise = EXERCISES["pseudoinverse"]
+    (part,) = (part for part in exercise.asked if isinstance(part.answer, Manual))
+    there = told("pseudoinverse", {})[part.variable]
+    assert (there.ok, there.text) == (True, "is there; it is marked by hand")
+    missing = told("pseudoinverse", {part.variable: Raw("missing")})[part.variable]
+    assert (missing.ok, missing.text) == (False, "not answered; it is marked by hand")
 
 
 def test_an_exam_tells_shape_and_nothing_more():
