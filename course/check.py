@@ -13,11 +13,14 @@ from ..exercises.exercise import Exercise
 from ..grader.ask import Limits
 from ..grader.mark import mark
 from ..grader.own_work import Remark, remarks
+from ..grader.unreadable import entry_name
 from ..grader.verdict import STATUS_WORDS, Verdict
 from ..grader.wire import Raw
 from .config import CourseError, Mode
 from .notebook import KEY
 from .submissions import read_submission
+
+MOST_PLACES = 6  # of wrong entries that are named
 
 
 @dataclass(frozen=True)
@@ -90,9 +93,24 @@ def _remarks(mode: Mode, exercise: Exercise, v: dict[str, Any], raws: Mapping[st
     return remarks(exercise, v, raws, consistency=mode == "graded")
 
 
+def _wrong_entries(right: Any) -> str:
+    """How many entries are right, and the first places of those that are not."""
+    try:
+        mask = np.array(right, dtype=bool)
+    except ValueError:  # groups of calls of different sizes speak for themselves
+        return ""
+    wrong = np.argwhere(~mask)
+    if right is None or mask.size < 2 or len(wrong) in (0, mask.size):
+        return ""
+    places = "; ".join(entry_name(tuple(map(int, where))) for where in wrong[:MOST_PLACES])
+    more = f" and {len(wrong) - MOST_PLACES} more" if len(wrong) > MOST_PLACES else ""
+    return f"{mask.size - len(wrong)} of {mask.size} entries are right, not these: {places}{more}."
+
+
 def _told(verdict: Verdict) -> Remark:
     """All of a verdict but the reference: status, reading, findings, and which entries are right."""
-    texts = [verdict.reading, *(f.text for f in verdict.findings if not f.private)]
+    findings = (finding.text for finding in verdict.findings if not finding.private)
+    texts = [_wrong_entries(verdict.right), verdict.reading, *findings]
     said = " ".join(text for text in texts if text)
     words = STATUS_WORDS[verdict.status]
     ok = verdict.status in ("correct", "not_graded")  # what waits for somebody else is not to be looked at again

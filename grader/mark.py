@@ -59,6 +59,9 @@ def mark(
             sheet.verdicts[part.variable] = _unreadable(part, raw, str(error))
             continue
         _mark_readable(sheet, part, answer, others or {})
+        if said := _read_as(part, raw, answer):
+            verdict = sheet.verdicts[part.variable]
+            sheet.verdicts[part.variable] = replace(verdict, reading=" ".join(filter(None, (said, verdict.reading))))
     return [_with_note(verdict, raws.get(name, Raw("missing"))) for name, verdict in sheet.verdicts.items()]
 
 
@@ -96,6 +99,14 @@ def _by_hand(part: Part, raw: Raw, v: Variant) -> Verdict:
     except Unreadable as error:
         return _unreadable(part, raw, str(error))
     return replace(not_graded(part.variable, part.points, BY_HAND), answer=text)
+
+
+def _read_as(part: Part, raw: Raw, answer: Any) -> str:
+    """How a number that was typed as text with a unit was read."""
+    if not isinstance(part.answer, Numbers) or part.answer.shape or raw.kind != "text":
+        return ""
+    unit = str(part.answer.unit_of_entries())
+    return f"Read as {float(answer):.6g}{f' {unit}' if unit != '1' else ''}."
 
 
 def _with_note(verdict: Verdict, raw: Raw) -> Verdict:

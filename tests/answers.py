@@ -97,8 +97,8 @@ def _other_letter(answer, value, _):
 
 
 _WRONG = {
-    Numbers: lambda _, value, __: -1.3 * value + 0.05,
-    Configurations: lambda _, value, __: -1.3 * value + 0.05,
+    Numbers: lambda _, value, __: -1.3 * value + 0.0517,
+    Configurations: lambda _, value, __: -1.3 * value + 0.0517,
     TableOf: _other_table,
     Formulas: _other_formulas,
     Choice: _other_letter,

@@ -46,11 +46,11 @@ def test_the_demonstration_marks_a_class_of_twelve_and_twice_the_same(tmp_path, 
         assert [*rows] == STUDENTS
         assert [row["name"] for row in rows.values()] == [habit.title for habit in HABITS]
         assert share(rows["student01"]) == 1
-        assert share(rows["student02"]) > 0.8  # rounded to fewer decimals than asked
+        assert share(rows["student02"]) > 0.7  # rounded to fewer decimals than asked
         assert share(rows["student09"]) == 0  # empty
 
     jacobian = {student: share(row) for student, row in found["jacobian"].items()}
-    assert jacobian["student12"] < 0.1  # somebody else's
+    assert jacobian["student12"] == 0  # somebody else's
     assert all(0.2 < jacobian[f"student{i:02}"] < 1 for i in (3, 4, 5, 6, 7, 8, 10, 11))
     report = (folder / "report" / "index.html").read_text(encoding="utf-8")
     for number, words in MISTAKES.items():
@@ -69,8 +69,10 @@ def test_the_demonstration_marks_a_class_of_twelve_and_twice_the_same(tmp_path, 
     for sheet, rows in found.items():
         waiting = [part for name, part in by_hand if name == sheet]
         for student, row in rows.items():
-            assert row["status"] == ("not_graded" if waiting and student == STUDENTS[-1] else "graded")
-            assert all(row[part] == "" for part in waiting) is (row["status"] == "not_graded") or not waiting
+            waits = bool(waiting) and student == STUDENTS[-1]  # the last one's answers are left to be marked
+            assert row["status"] == ("not_graded" if waits else "graded")
+            assert [row[part] == "" for part in waiting] == [waits] * len(waiting)
+            assert (row["points"] == "") is waits
         if waiting:
             page = (folder / "feedback" / "student01" / f"{sheet}.html").read_text(encoding="utf-8")
             assert COMMENT in page

@@ -317,3 +317,8 @@ def test_numbers_follow_from_the_own_formulas():
     first_verdict, second_verdict = mark(exercise, V, {"t_x": Raw("text", rows), "t_J": Raw("num", own)})
     assert (first_verdict.points, second_verdict.points) == (3, 4)
     assert "follows from your own t_x" in said(second_verdict)
+
+
+def test_how_a_typed_number_was_read_is_said():
+    assert verdict(LENGTH, "400 mm").reading == "Read as 0.4 m."
+    assert verdict(LENGTH, np.array(0.4)).reading == ""

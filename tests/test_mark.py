@@ -1,11 +1,13 @@
 """Verdicts: findings that name the mistake, follow-through, and failures of ours that are never a zero."""
 
 import dataclasses
+import json
 
 import numpy as np
 import pytest
-from answers import EXERCISES, raws, variant_of
-from kinegrade.exercises.exercise import references
+from answers import EXERCISES, part_of, raws, raws_of, right_raws, telling, variant_of, wrong
+from kinegrade.exercises.exercise import Manual, references
+from kinegrade.grader.answer_key import AnswerKey
 from kinegrade.grader.mark import mark
 from kinegrade.grader.verdict import Verdict
 from kinegrade.grader.wire import Raw
@@ -17,7 +19,8 @@ def verdicts_of(slug, changes, seed=0, others=None):
     exercise, v = EXERCISES[slug], variant_of(slug, seed)
     answers = references(exercise, v)
     changed = {name: change(answers[name]) if callable(change) else change for name, change in changes.items()}
-    return {verdict.part: verdict for verdict in mark(exercise, v, raws(answers | changed), others)}
+    found = mark(exercise, v, raws_of(exercise, v, answers | changed), others)
+    return {verdict.part: verdict for verdict in found}
 
 
 def text_of(verdict):
@@ -84,13 +87,13 @@ def test_rates_and_twist_are_judged_from_the_students_own_jacobian():
     exercise, v = EXERCISES["puma_velocities"], variant_of("puma_velocities")
     J = references(exercise, v)["puma_velocities_J"].copy()
     J[:3, 1] *= -1.5
-    twist, rates = (
-        exercise.parts[1].solve(v, {"puma_velocities_J": J}),
-        exercise.parts[2].solve(v, {"puma_velocities_J": J}),
-    )
-    own = {"puma_velocities_J": J, "puma_velocities_twist": twist, "puma_velocities_qdot": rates}
+    own = {"puma_velocities_J": J}
+    for name in ("puma_velocities_twist", "puma_velocities_qdot"):
+        own[name] = part_of(exercise, name).solve(v, {"puma_velocities_J": J})
     verdicts = verdicts_of("puma_velocities", own)
-    assert [verdict.status for verdict in verdicts.values()] == ["partly", "correct", "correct"]
+    assert {name: verdicts[name].status for name in own} == dict(
+        zip(own, ("partly", "correct", "correct"), strict=True)
+    )
     assert "follows from your own puma_velocities_J" in text_of(verdicts["puma_velocities_qdot"])
 
 
@@ -112,13 +115,15 @@ def test_data_of_another_student_are_not_followed_through():
     own = references(exercise, v)
     p = own["three_axis_p"].copy()
     p[:, 2:] += 0.1  # partly right, so that A may follow from it
-    A = exercise.parts[2].solve(v, {"three_axis_p": p, "three_axis_z": own["three_axis_z"]})
-    sheet = raws(own | {"three_axis_p": p, "three_axis_A": A})
-    _, _, alone, *_ = mark(exercise, v, sheet)
-    first, _, seen, *_ = mark(exercise, v, sheet, {"neighbour": {"three_axis_p": p.tolist()}})
-    assert (alone.status, alone.points) == ("correct", 3)
-    assert seen.points < 3
-    assert [f.text for f in first.findings if f.private] == ["This is the reference answer of neighbour's variant."]
+    part = part_of(exercise, "three_axis_A")
+    A = part.solve(v, {"three_axis_p": p, "three_axis_z": own["three_axis_z"]})
+    sheet = {"three_axis_p": p, "three_axis_A": A}
+    alone = verdicts_of("three_axis", sheet)["three_axis_A"]
+    seen = verdicts_of("three_axis", sheet, others={"neighbour": {"three_axis_p": p.tolist()}})
+    assert (alone.status, alone.points) == ("correct", part.points)
+    assert seen["three_axis_A"].points < part.points
+    private = [f.text for f in seen["three_axis_p"].findings if f.private]
+    assert private == ["This is the reference answer of neighbour's variant."]
 
 
 def test_a_joint_axis_that_many_share_tells_nobody_whose_it_is():
@@ -131,10 +136,11 @@ def test_a_named_mistake_is_followed_through():
     exercise, v = EXERCISES["three_axis"], variant_of("three_axis")
     own = references(exercise, v)
     z = -own["three_axis_z"]
-    A = exercise.parts[2].solve(v, {"three_axis_p": own["three_axis_p"], "three_axis_z": z})
+    part = part_of(exercise, "three_axis_A")
+    A = part.solve(v, {"three_axis_p": own["three_axis_p"], "three_axis_z": z})
     verdicts = verdicts_of("three_axis", {"three_axis_z": z, "three_axis_A": A})
     assert verdicts["three_axis_z"].points == 0
-    assert verdicts["three_axis_A"].points == 3
+    assert verdicts["three_axis_A"].points == part.points
 
 
 @pytest.mark.parametrize("seed", range(12))
@@ -178,51 +184,76 @@ def test_a_failure_of_ours_leaves_the_part_not_graded_and_the_others_marked():
     def broken(*_):
         raise RuntimeError("a fault in the exercise file")
 
-    parts = (*exercise.parts[:2], dataclasses.replace(exercise.parts[2], check=broken))
-    verdicts = mark(dataclasses.replace(exercise, parts=parts), v, raws(references(exercise, v)))
-    assert [verdict.status for verdict in verdicts] == ["correct", "correct", "not_graded"]
-    assert verdicts[-1].points is None
+    name = "puma_velocities_qdot"
+    parts = [dataclasses.replace(part, check=broken) if part.variable == name else part for part in exercise.parts]
+    verdicts = mark(dataclasses.replace(exercise, parts=tuple(parts)), v, right_raws(exercise, v))
+    assert {verdict.part for verdict in verdicts if verdict.status == "correct"} == {
+        part.variable for part in exercise.asked if part.variable != name
+    }
+    (failed,) = (verdict for verdict in verdicts if verdict.part == name)
+    assert (failed.status, failed.points) == ("not_graded", None)
 
 
-def test_a_verdict_survives_json(exercise):
-    import json
-
+@pytest.mark.parametrize("spoil", [False, True])
+def test_a_verdict_survives_json(exercise, spoil):
     v = variant_of(exercise.slug)
-    for verdict in mark(exercise, v, raws(references(exercise, v))):
+    answers = references(exercise, v)
+    if spoil:
+        answers = {part.variable: wrong(part, answers[part.variable], v) for part in exercise.asked}
+    for verdict in mark(exercise, v, raws_of(exercise, v, answers)):
         assert Verdict.from_json(json.loads(json.dumps(verdict.to_json()))) == verdict
 
 
 def test_no_verdict_holds_a_reference_value_that_was_not_handed_in(exercise):
     v = variant_of(exercise.slug)
     answers = references(exercise, v)
-    spoiled = {name: np.full_like(value, 0.123) for name, value in answers.items() if isinstance(value, np.ndarray)}
-    said = str([verdict.to_json() for verdict in mark(exercise, v, raws(spoiled))])
-    for name in spoiled:
-        for x in np.unique(np.abs(answers[name])):
-            if 0.01 < x < 100 and abs(x - round(x, 2)) > 1e-6:
-                assert f"{x:.4f}" not in said
+    own = {part.variable: wrong(part, answers[part.variable], v) for part in exercise.asked}
+    verdicts = {verdict.part: verdict for verdict in mark(exercise, v, raws_of(exercise, v, own))}
+    for part in exercise.asked:
+        verdict = verdicts[part.variable]
+        assert verdict.status != "correct"
+        said = " ".join([verdict.reading, text_of(verdict)])
+        shown = json.dumps([verdict.answer, verdict.right])
+        told = telling(part, answers[part.variable], v) - telling(part, own[part.variable], v)
+        assert [text for text in told if text in said or text in shown] == []
 
 
-@pytest.mark.parametrize("seed", SEEDS)
-@pytest.mark.parametrize(
-    ("slug", "name"), [(slug, p.variable) for slug, e in EXERCISES.items() for p in e.parts if p.mistakes]
-)
-def test_a_mistake_that_an_exercise_knows_is_named(slug, name, seed):
-    exercise, v = EXERCISES[slug], variant_of(slug, seed)
-    answers = references(exercise, v)
-    part = next(part for part in exercise.parts if part.variable == name)
-    for mistake in part.mistakes:
-        own = answers | {name: mistake.solve(v, {need: answers[need] for need in part.needs})}
-        verdicts = {verdict.part: verdict for verdict in mark(exercise, v, raws(own))}
-        assert mistake.sentence in text_of(verdicts[name])
+def test_every_mistake_that_an_exercise_knows_is_named(exercise):
+    for seed in SEEDS:
+        v = variant_of(exercise.slug, seed)
+        key = AnswerKey(exercise, v)
+        for part in exercise.asked:
+            given = {need: key.reference[need] for need in part.needs}
+            for mistake in part.mistakes:
+                own = raws_of(exercise, v, key.reference | {part.variable: mistake.solve(v, given)})
+                verdicts = {verdict.part: verdict for verdict in mark(exercise, v, own, key=key)}
+                assert mistake.sentence in text_of(verdicts[part.variable]), (part.variable, seed)
+
+
+def test_what_is_marked_by_hand_waits_with_its_text_and_earns_nothing_yet():
+    exercise = EXERCISES["pseudoinverse"]
+    (part,) = (part for part in exercise.asked if isinstance(part.answer, Manual))
+    waiting = verdicts_of("pseudoinverse", {part.variable: "My reason.\nAnd another."})[part.variable]
+    assert (waiting.status, waiting.points, waiting.answer) == ("not_graded", None, "My reason.\nAnd another.")
+    missing = verdicts_of("pseudoinverse", {part.variable: Raw("missing")})[part.variable]
+    assert (missing.status, missing.points) == ("missing", 0)
+
+
+def test_a_function_as_it_was_handed_out_is_not_answered():
+    nothing = Raw("error", "call 1: not a matrix of numbers: None")
+    verdict = verdicts_of("implement_it", {"implement_it_jacobian": Raw("calls", [nothing] * 12)})
+    blank = verdict["implement_it_jacobian"]
+    assert (blank.status, blank.points, text_of(blank)) == ("missing", 0, "The function returns nothing.")
 
 
 def test_rates_follow_from_a_jacobian_in_the_tool_frame():
     exercise, v = EXERCISES["puma_velocities"], variant_of("puma_velocities")
-    J, twist, qdot = exercise.parts
+    J = part_of(exercise, "puma_velocities_J")
+    later = [part_of(exercise, name) for name in ("puma_velocities_twist", "puma_velocities_qdot")]
     own = {J.variable: J.mistakes[0].solve(v, {})}
-    own |= {part.variable: part.solve(v, own) for part in (twist, qdot)}
-    assert [verdict.points for verdict in mark(exercise, v, raws(own))] == [0, 2, 3]
+    own |= {part.variable: part.solve(v, own) for part in later}
+    points = {verdict.part: verdict.points for verdict in mark(exercise, v, raws(own))}
+    assert [points[name] for name in own] == [0, *(part.points for part in later)]
 
 
 def test_a_wrong_value_from_a_cell_that_stopped_half_way_says_so():

@@ -5,11 +5,14 @@ import json
 import os
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
-from courses import hand_in, notebook, right_answers
+from answers import EXERCISES, SLUGS, variant_of
+from courses import exercise_of, hand_in, notebook, right_answers
 from kinegrade.course.config import CourseError, read_course
-from kinegrade.course.submissions import find_submission, misnamed, read_submission, strangers
+from kinegrade.course.submissions import Submission, find_submission, misnamed, read_submission, strangers
+from kinegrade.exercises.exercise import Function, Numbers, Part
 from kinegrade.grader.ask import Ask, Limits
 from scipy.io import savemat
 
@@ -185,3 +188,49 @@ def test_without_scipy_a_mat_file_is_refused_and_not_marked(course, monkeypatch)
     monkeypatch.setitem(sys.modules, "scipy", None)
     with pytest.raises(CourseError, match=r"one.mat: .mat files are read with scipy, .* pip install scipy"):
         read_submission(path)
+
+
+HIDDEN = {"planar": [([0.1, 0.2], "RR"), ([0.3], "R")], "other": [([0.4, 0.5], "PR")]}
+PUBLISHED = {"yours": [([1.0, 2.0], "RP")]}
+
+
+def function(published):
+    inputs = (lambda _: PUBLISHED) if published else None
+    parts = (
+        Part("t_J", "J", 1, Numbers((2,)), lambda *_: [1, 2]),
+        Part("t_unasked", "", 0, Numbers((2,)), lambda *_: [1, 2], asked=False),
+        Part("t_f", "f", 1, Function("(q, kinds)", lambda _: HIDDEN, published=inputs), lambda *_: sum),
+    )
+    return exercise_of(*parts)
+
+
+def asks(suffix, *, published):
+    return Submission(Path(f"one{suffix}"), b"").asks(function(published), {"x": 0.5})
+
+
+@pytest.mark.parametrize("published", [True, False])
+def test_a_notebook_is_asked_for_the_hidden_calls_group_after_group(published):
+    hidden = (([0.1, 0.2], "RR"), ([0.3], "R"), ([0.4, 0.5], "PR"))
+    assert asks(".ipynb", published=published) == [Ask("t_J"), Ask("t_f", hidden)]
+
+
+@pytest.mark.parametrize("suffix", [".json", ".csv", ".mat"])
+def test_a_file_is_asked_for_results_of_the_published_calls(suffix):
+    assert asks(suffix, published=True) == [Ask("t_J"), Ask("t_f", (([1.0, 2.0], "RP"),))]
+    assert len(asks(suffix, published=False)[1].calls) == 3  # nothing is published: a file can hold no right answer
+
+
+def test_the_inputs_of_a_function_are_those_of_the_variant(course):
+    answer = Function("(x)", lambda v: {"own": [(v["x"],)]})
+    exercise = exercise_of(Part("t_f", "f", 1, answer, lambda *_: sum))
+    for x in (0.25, 0.75):
+        assert Submission(Path("one.ipynb"), b"").asks(exercise, {"x": x}) == [Ask("t_f", ((x,),))]
+
+
+@pytest.mark.parametrize("slug", SLUGS)
+def test_every_asked_part_is_asked_for_in_every_kind_of_file(slug):
+    exercise, v = EXERCISES[slug], variant_of(slug)
+    for suffix in (".ipynb", ".json", ".csv", ".mat"):
+        found = Submission(Path(f"one{suffix}"), b"").asks(exercise, v)
+        assert [ask.name for ask in found] == [part.variable for part in exercise.asked]
+        assert [bool(ask.calls) for ask in found] == [isinstance(part.answer, Function) for part in exercise.asked]

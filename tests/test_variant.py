@@ -8,7 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from answers import EXERCISES, variant_of
+from answers import EXERCISES, variant_of, wrong
 from courses import SECRET, lever
 from kinegrade.course.variant import (
     Record,
@@ -19,8 +19,10 @@ from kinegrade.course.variant import (
     generator,
     moved_parts,
 )
-from kinegrade.exercises.exercise import ExerciseError, Numbers, Part, references
-from kinegrade.solutions.table import Table, read_table
+from kinegrade.exercises.exercise import Configurations, ExerciseError, Manual, Numbers, Part, references
+from kinegrade.exercises.values import pictured
+from kinegrade.solutions.errors import KinegradeError
+from kinegrade.solutions.table import read_table
 
 
 def test_the_seed_is_the_hmac_of_sheet_exercise_student_and_attempt_under_the_secret():
@@ -90,14 +92,33 @@ def test_equal_numbers_have_one_text_and_others_another():
 
 
 def test_a_fingerprint_is_plain_numbers_of_every_part(exercise):
+    """But of those that are marked by hand, from which nothing is computed."""
     v = variant_of(exercise.slug)
     taken = fingerprint(exercise, v)
-    assert list(taken) == [part.variable for part in exercise.parts]
+    computed = {part.variable: part for part in exercise.parts if not isinstance(part.answer, Manual)}
+    assert list(taken) == list(computed)
     assert json.loads(json.dumps(taken)) == taken
     assert not re.search(r"-0\.0[,\]]", json.dumps(taken))  # minus zero
-    for name, value in references(exercise, v).items():
-        if not isinstance(value, Table):
-            np.testing.assert_allclose(taken[name], value, rtol=0, atol=6e-10)
+    answers = references(exercise, v)
+    for name, part in computed.items():
+        picture = pictured(part.answer, answers[name], v)
+        assert np.size(picture)
+        np.testing.assert_allclose(taken[name], picture, rtol=0, atol=6e-10)
+        if isinstance(part.answer, Numbers | Configurations):
+            np.testing.assert_allclose(taken[name], answers[name], rtol=0, atol=6e-10)
+
+
+def test_a_wrong_answer_in_place_of_the_reference_has_another_fingerprint(exercise):
+    v = variant_of(exercise.slug)
+    recorded = Record("ada", "one", exercise.slug, 0, v, fingerprint(exercise, v))
+    answers = references(exercise, v)
+    for part in exercise.parts:
+        other = edited(exercise, part.variable, lambda *_, part=part: wrong(part, answers[part.variable], v))
+        try:
+            moved = moved_parts(recorded, other)
+        except (KinegradeError, ArithmeticError, np.linalg.LinAlgError):
+            continue  # a later part makes nothing of it
+        assert (part.variable in moved) is not isinstance(part.answer, Manual)
 
 
 def test_nothing_moves_while_nothing_changes(exercise):

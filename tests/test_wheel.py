@@ -1,5 +1,6 @@
 """A wheel of the project, installed elsewhere, does what the checkout does."""
 
+import configparser
 import os
 import re
 import shutil
@@ -8,25 +9,67 @@ import sys
 import zipfile
 from pathlib import Path
 
+import pytest
+from courses import LEVER
+
 ROOT = Path(__file__).parents[1]
 SOURCES = ("pyproject.toml", "LICENSE", "README.md", "course", "exercises", "grader", "solutions")
 WHERE = "import kinegrade.course as c, kinegrade, pathlib; print(pathlib.Path(c.__file__).parents[2])"
 
 
-def test_an_installed_wheel_holds_everything_and_runs_the_demo(tmp_path):
+COURSE = """
+title = "Wheel"
+secret = "a secret for tests, long enough"
+[[sheet]]
+name = "one"
+title = "Sheet one"
+matlab = true
+exercises = ["rrt", "puma_velocities"]
+"""
+
+
+@pytest.mark.slow
+def test_an_installed_wheel_holds_everything_and_marks_a_course(tmp_path):
+    """Figures, pages, maps and notebooks come out of the wheel; the worked solution, handed in, earns full marks."""
     wheel = build(tmp_path)
     assert holds(wheel) == checked_out()
     assert "kinegrade/course/templates/report.html" in holds(wheel)
     archive = zipfile.ZipFile(wheel)
     (entry,) = (name for name in archive.namelist() if name.endswith("entry_points.txt"))
-    assert "kinegrade = kinegrade.course.cli:main" in archive.read(entry).decode()
+    entries = configparser.ConfigParser()
+    entries.read_string(archive.read(entry).decode())
+    assert entries["console_scripts"]["kinegrade"] == "kinegrade.course.cli:main"
+    assert entries["pytest11"]["kinegrade"] == "kinegrade.course.pytest_plugin"
     assert any(name.endswith("licenses/LICENSE") for name in archive.namelist())
 
     options = {"cwd": tmp_path, "env": install(wheel, tmp_path / "installed")}
     assert run([sys.executable, "-S", "-c", WHERE], **options).strip() == str(tmp_path / "installed")
-    assert re.search(r"student01 +✓+ +✓+ +✓+ +(\d+) / \1\b", kinegrade("demo", "course", **options))
-    for name in ("grades.csv", "feedback/student03/jacobian.html", "report/index.html"):
-        assert (tmp_path / "course" / name).exists()
+    kinegrade("init", "mycourse", **options)
+    course = tmp_path / "mycourse"
+    (course / "course.toml").write_text(COURSE, encoding="utf-8")
+    (course / "roster.csv").write_text("student,name\nada,Ada Lovelace\n", encoding="utf-8")
+    kinegrade("generate", "--course", "mycourse", **options)
+    assert "data:image/png" in (course / "released" / "ada" / "one.ipynb").read_text(encoding="utf-8")
+    assert (course / "released" / "ada" / "one.m").exists()
+    (course / "submitted" / "ada").mkdir(parents=True)
+    shutil.copy(course / "solutions" / "ada" / "one.ipynb", course / "submitted" / "ada" / "one.ipynb")
+    marked = kinegrade("grade", "--course", "mycourse", **options)
+    assert re.search(r"ada +✓+ +✓+ +(\d+) / \1\b", marked)
+    for name in ("grades.csv", "feedback/ada/one.html", "report/index.html"):
+        assert (course / name).stat().st_size > 100
+    maps = sorted(path.name.partition("-")[0] for path in (course / "report").glob("*.png"))
+    assert maps == ["puma560", "rrt_offset"]
+    validates_with_pytest(course, options)
+
+
+def validates_with_pytest(course, options):
+    """The plugin is found through its entry point, with nothing in the course but the exercise."""
+    (course / "exercises").mkdir()
+    (course / "exercises" / "lever.py").write_text(LEVER, encoding="utf-8")
+    (course / "pytest.ini").write_text("[pytest]\nkinegrade_seeds = 3\n", encoding="utf-8")
+    command = [sys.executable, "-S", "-m", "pytest", "-q", "-p", "no:cacheprovider"]
+    ran = subprocess.run(command, cwd=course, env=options["env"], capture_output=True, text=True, check=False)
+    assert "1 passed" in ran.stdout, ran.stdout + ran.stderr
 
 
 def build(folder):
