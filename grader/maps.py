@@ -17,7 +17,7 @@ from matplotlib.figure import Figure
 from ..solutions.errors import KinegradeError
 from ..solutions.expression import latex_name
 from ..solutions.singularity import Arm, Parameters, Values, arm, factor_values, sigma_min, task_block, zero_set
-from ..solutions.workspace import LIMITS, Section, reach, section
+from ..solutions.workspace import LIMITS, SINGULAR, Section, reach, section
 from .panels import JointMap, short, sigma_unit, sign_rule, spatial_panels
 from .planar_panels import planar_panels
 
@@ -200,10 +200,12 @@ def _value(part: Arm, joint: int, value: float) -> str:
 
 
 def _walls(part: Arm, cut: Section) -> str:
-    names = [short(f.name) for f in part.factors] + [LIMITS]
+    found = {curve.name for curve in cut.curves}
+    factors = [] if SINGULAR in found else [short(f.name) for f in part.factors]  # those of another, larger, block
+    names = [*factors, short(SINGULAR), LIMITS]
     bounding = {short(curve.name) for curve in cut.curves if curve.boundary.any()}
     crossing = {short(curve.name) for curve in cut.curves if (~curve.boundary).any() and curve.name != LIMITS}
-    away = set(names[:-1]) - {short(curve.name) for curve in cut.curves} if cut.curves else set()
+    away = set(factors) - {short(name) for name in found} if found else set()
     texts = [
         ("Its workspace is bounded by the images of: ", bounding),
         ("Singular inside the workspace: ", crossing),
