@@ -1,6 +1,7 @@
 # pyright: basic
 """The panels of a spatial arm's figure: its joint map, its workspace's section and its determinant."""
 
+import re
 import textwrap
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -26,6 +27,7 @@ if TYPE_CHECKING:
 # Dark solid, light dashed, ...: apart in colour, in grey and by pattern.
 LINES = (("#d7301f", "-"), ("#35c4f0", (0, (4, 1.6))), ("#f5a300", (0, (1, 1.2))), ("#d66bd0", (0, (5, 1.5, 1, 1.5))))
 INK = "#1c1c1c"
+PURPLE = "#7b2a9c"  # of curves that belong to no factor
 WIDTHS = {(LIMITS, "boundary"): 1.4, (LIMITS, "inside"): 0.7, (SINGULAR, "boundary"): 1.8, (SINGULAR, "inside"): 0.9}
 ROWS = ("v_x", "v_y", "v_z", r"\omega_x", r"\omega_y", r"\omega_z")
 
@@ -83,7 +85,7 @@ def _draw_factors(ax: "Axes", found: JointMap, *, plain: bool = False) -> list:
         effects = [withStroke(linewidth=style["lw"] + 1.2, foreground=halo)]
         for line in lines:
             ax.plot(*line.T, **style, path_effects=[] if plain else effects, zorder=3)
-        handles.append(Line2D([], [], **style, label=_wrapped(name)))
+        handles.append(Line2D([], [], **style, label=_wrapped(typeset(name))))
     return handles
 
 
@@ -172,7 +174,7 @@ def draw_section(ax: "Axes", found: JointMap, cut: Section, norm: PowerNorm) -> 
 
 
 def _draw_curves(ax: "Axes", found: JointMap, cut: Section) -> list:
-    inks = {SINGULAR: LINES[0][0]} | dict(
+    inks = {SINGULAR: PURPLE} | dict(
         zip((f.name for f in found.part.factors), (colour for colour, _ in LINES), strict=False)
     )
     handles: dict[str, Line2D] = {}
@@ -196,7 +198,12 @@ def _draw_curves(ax: "Axes", found: JointMap, cut: Section) -> list:
                 handles[line["label"]] = Line2D([], [], **line)
                 drawn[line["label"]].append(curve.points[mask])
     order = [*(short(f.name) for f in found.part.factors), short(SINGULAR), LIMITS]
-    return sorted(handles.values(), key=lambda handle: order.index(short(str(handle.get_label()))))
+
+    def rank(handle: Line2D) -> tuple[int, str]:
+        name, _, where = str(handle.get_label()).partition(":")
+        return order.index(name), where
+
+    return sorted(handles.values(), key=rank)
 
 
 def _fresh(points: Values, drawn: list[Values], near: float) -> NDArray[np.bool_]:
@@ -258,6 +265,11 @@ def below(ax: "Axes") -> Transform:
 
 def _wrapped(text: str, width: int = 46) -> str:
     return "\n".join(textwrap.wrap(text, width))
+
+
+def typeset(name: str) -> str:
+    """A factor's name with lengths in mathematics: |d2| as its symbol with a subscript."""
+    return re.sub(r"\|(\w+)\|", lambda found: f"$|{latex_name(found[1])}|$", name)
 
 
 def short(name: str) -> str:
