@@ -33,7 +33,7 @@ def raster(points: Values, sigma: Values, cells: int, margin: int = 1) -> tuple[
     """The largest sigma (...) of the points (..., 2) in each cell, NaN where there are none, with a `margin` around."""
     flat = points.reshape(-1, 2)
     low, high = flat.min(axis=0), flat.max(axis=0)
-    size = max(float((high - low).max()), 1e-9) / cells
+    size = (max(float((high - low).max()), 1e-9 * float(np.abs(flat).max())) or 1.0) / cells
     shape = np.ceil((high - low) / size).astype(int) + 1 + 2 * margin  # empty cells around
     origin = (low + high - shape * size) / 2
     column, row = ((flat - origin) / size).astype(int).T

@@ -9,10 +9,11 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .chain import Array, Chain, ChainError, configuration, reals
+from .chain import Array, Chain, ChainError, one_configuration, reals
 from .derivatives import hessian
 from .jacobian import jacobian
 from .kinematics import forward
+from .limits import are_outside
 from .rotation import rotation_vector, rotations
 from .velocity import chosen_rows, damped_inverse
 
@@ -144,10 +145,9 @@ def inverse_kinematics(
         ChainError: An argument of the wrong form, or a start outside the limits. That no solution is found is no
             error: `Solution.stopped` says why.
     """
-    q = configuration(chain.n, start, "start").copy()
-    if q.shape != (chain.n,):
-        raise ChainError(f"start takes shape ({chain.n},), got {q.shape}")
+    q = one_configuration(chain.n, start, "start")
     low, high = _limits(limits, q)
+    q = np.clip(q, low, high)
     wanted = _pose(target)
     length = _length(chain, wanted, q, np.concatenate([low, high]))
     tolerance = 1e-9 * length if position_tolerance is None else position_tolerance
@@ -253,9 +253,9 @@ def _limits(limits: ArrayLike | None, start: Array) -> tuple[Array, Array]:
     if pairs.shape != (len(start), 2) or not (pairs[:, 0] <= pairs[:, 1]).all():
         raise ChainError(f"limits takes {len(start)} pairs of a lowest and a highest value, got {pairs.tolist()}")
     low, high = pairs.T
-    outside = np.flatnonzero((start < low) | (start > high))
-    if outside.size:
-        i = int(outside[0])
+    beyond = np.flatnonzero(are_outside(pairs, start))
+    if beyond.size:
+        i = int(beyond[0])
         raise ChainError(f"start takes q{i + 1} from {low[i]:g} to {high[i]:g}, got {start[i]:g}")
     return low, high
 

@@ -116,7 +116,7 @@ def _plane(part: Arm) -> tuple[tuple[str, str], tuple[int, ...]]:
     """The coordinates of the section and the joints that change something in it."""
     q = spread(part, 64)
     reached = in_axis_frame(part.chain, q)
-    if part.chain.kinds[0] == "P" or np.ptp(reached[:, 2]) < 1e-9:
+    if part.chain.kinds[0] == "P" or np.ptp(reached[:, 2]) <= 1e-9 * np.abs(reached).max():
         axes, first = ("x", "y"), 0
     else:
         axes, first = ("r", "z"), 1
@@ -127,9 +127,10 @@ def _matters(part: Arm, joint: int, axes: tuple[str, str], q: Values) -> bool:
     """Whether a joint moves the tool in the section or changes sigma_min: the last of a SCARA does neither."""
     turned = q.copy()
     turned[:, joint] = q[::-1, joint]
-    moved = projected(in_axis_frame(part.chain, q), axes) - projected(in_axis_frame(part.chain, turned), axes)
-    changed = sigma_min(task_block(part, q)) - sigma_min(task_block(part, turned))
-    return max(float(np.abs(moved).max()), float(np.abs(changed).max())) > 1e-12
+    at, sigma = projected(in_axis_frame(part.chain, q), axes), sigma_min(task_block(part, q))
+    moved = np.abs(projected(in_axis_frame(part.chain, turned), axes) - at).max() > 1e-12 * np.abs(at).max()
+    changed = np.abs(sigma_min(task_block(part, turned)) - sigma).max() > 1e-12 * sigma.max()
+    return bool(moved or changed)
 
 
 def _interpolation(count: int, finer: int) -> Values:
@@ -174,7 +175,7 @@ def _limit_curves(part: Arm, free: tuple[int, ...]) -> list[tuple[str, Values]]:
 def _on_boundary(part: Arm, free: tuple[int, ...], axes: tuple[str, str], points: Values) -> NDArray[np.bool_]:
     """Whether the tool misses one of the two points just beside a curve, for each of its points."""
     size = float(np.ptp(points, axis=0).max())
-    if size < 1e-9:
+    if size <= 1e-9 * float(np.abs(points).max()):
         return np.zeros(len(points), dtype=np.bool_)
     along = np.gradient(points, axis=0)
     normal = np.column_stack([-along[:, 1], along[:, 0]])

@@ -149,3 +149,23 @@ def test_the_cells_hold_the_largest_sigma_min_and_vanish_at_the_rim() -> None:
 def test_a_robot_without_factors_has_its_joint_limit_curves_only() -> None:
     bare = replace(ROBOTS["rrt_offset"], factors=())
     assert {curve.name for curve in section(bare).curves} == {LIMITS}
+
+
+@pytest.mark.parametrize("scale", [1e-6, 1e6])
+@pytest.mark.parametrize("name", ["rrt_offset", "puma560", "articulated_6r"])
+def test_the_unit_of_length_decides_nothing(name: str, scale: float) -> None:
+    robot, cut = ROBOTS[name], SECTIONS[name]
+    limits = tuple(
+        (scale * low, scale * high) if kind == "P" else (low, high)
+        for (low, high), kind in zip(robot.limits, robot.kinds, strict=True)
+    )
+    other = replace(robot, parameters={key: scale * value for key, value in robot.parameters.items()}, limits=limits)
+    again = section(other)
+    assert arm(other).point == arm(robot).point
+    np.testing.assert_allclose(np.divide(reach(other), scale), reach(robot), rtol=0, atol=1e-9)
+    np.testing.assert_allclose(np.divide(again.extent, scale), cut.extent, rtol=0, atol=1e-6)
+    assert np.count_nonzero(np.isnan(again.cells) != np.isnan(cut.cells)) <= 0.001 * cut.cells.size
+    for curve, twin in zip(again.curves, cut.curves, strict=True):
+        assert curve.name == twin.name
+        np.testing.assert_allclose(curve.points / scale, twin.points, rtol=0, atol=1e-6)
+        assert np.count_nonzero(curve.boundary != twin.boundary) <= 3
