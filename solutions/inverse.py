@@ -4,6 +4,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from numbers import Integral, Real
 from typing import Literal
 
 import numpy as np
@@ -153,10 +154,10 @@ def inverse_kinematics(
     tolerance = 1e-9 * length if position_tolerance is None else position_tolerance
     numbers = {"position_tolerance": tolerance, "rotation_tolerance": rotation_tolerance, "longest_step": longest_step}
     for name, value in numbers.items():
-        if not 0 < value < math.inf:
-            raise ChainError(f"{name} takes a finite number above 0, got {value}")
-    if iterations < 0:
-        raise ChainError(f"iterations takes a number from 0, got {iterations}")
+        if not isinstance(value, Real) or not 0 < value < math.inf:
+            raise ChainError(f"{name} takes a finite number above 0, got {value!r}")
+    if not isinstance(iterations, Integral) or iterations < 0:
+        raise ChainError(f"iterations takes a whole number from 0, got {iterations!r}")
     problem = _Problem(chain, wanted, chosen_rows(rows), low, high, length, (tolerance, rotation_tolerance))
     return _descend(problem, q, longest_step, iterations)
 
@@ -167,6 +168,13 @@ def displacement(reached: ArrayLike, desired: ArrayLike) -> Array:
     Both are in base axes, with R_desired = R(dw) R_reached (S0, eq. 4.11 and 4.13). Raises ChainError.
     """
     a, b = reals("reached", reached), reals("desired", desired)
+    for name, T in (("reached", a), ("desired", b)):
+        if T.shape[-2:] != (4, 4):
+            raise ChainError(f"{name} takes shape (..., 4, 4), got {T.shape}")
+    try:
+        np.broadcast_shapes(a.shape, b.shape)
+    except ValueError:
+        raise ChainError(f"desired takes a batch that fits {a.shape[:-2]}, got {b.shape[:-2]}") from None
     dw = rotation_vector(b[..., :3, :3] @ a[..., :3, :3].mT)
     dp = np.broadcast_to(b[..., :3, 3] - a[..., :3, 3], dw.shape)
     return np.concatenate([dp, dw], axis=-1)
@@ -262,8 +270,10 @@ def _limits(limits: ArrayLike | None, start: Array) -> tuple[Array, Array]:
 
 def _pose(target: ArrayLike) -> Array:
     T = reals("target", target)
-    if T.shape != (4, 4) or (T[3] != (0.0, 0.0, 0.0, 1.0)).any():
-        raise ChainError(f"target takes one transform (4, 4) with the last row [0 0 0 1], got shape {T.shape}")
+    if T.shape != (4, 4):
+        raise ChainError(f"target takes one transform (4, 4), got shape {T.shape}")
+    if (T[3] != (0.0, 0.0, 0.0, 1.0)).any():
+        raise ChainError(f"target takes the last row [0 0 0 1], got {T[3].tolist()}")
     _ = rotations("target", T[:3, :3])
     return T
 
