@@ -35,6 +35,8 @@ def barriers(part: Arm, axes: tuple[str, str], free: tuple[int, ...]) -> list[Li
     which the tool, from this posture, cannot pass. Of lines with the same image one is found.
     """
     moving = tuple(i for i in free if _moves(part, i, axes))
+    if not moving:
+        return []
     low, high = np.transpose(part.limits)
     rest = np.clip(np.zeros(part.chain.n), low, high)
     units, turning = _units(part, moving), np.array([_turns(part, i) for i in range(part.chain.n)])
@@ -71,9 +73,7 @@ def _units(part: Arm, moving: tuple[int, ...]) -> Values:
 
 
 def _plane(part: Arm, axes: tuple[str, str], moving: tuple[int, ...], rest: Values, units: Values) -> Plane:
-    first = part.chain.fixed[0]
-    # from the frame of axis 1, level with the base
-    fixed, kinds = [elementary("Tz", first[:3, 2] @ first[:3, 3])], ""
+    fixed, kinds = [np.eye(4)], ""  # from the frame of axis 1: where the base is changes no slope
     for i, (kind, C) in enumerate(zip(part.chain.kinds, part.chain.fixed[1:], strict=True)):
         if i in moving:
             fixed.append(C)
@@ -112,7 +112,7 @@ def _scattered(plane: Plane, seeds: Stand) -> Whole:
 def _places(at: Values, bearing: Values) -> Whole:
     """Cell and direction (m, 3) of points; a normal and its opposite are one direction."""
     turn = np.floor(bearing % np.pi * (TURNS / np.pi)).astype(int) % TURNS
-    return np.column_stack([np.floor(at / CELL).astype(int) + SIDE // 2, turn])
+    return np.column_stack([np.clip(np.floor(at / CELL).astype(int) + SIDE // 2, 1, SIDE - 2), turn])
 
 
 class _Passed:
@@ -189,7 +189,7 @@ def _followed(plane: Plane, seeds: Stand) -> list[Line]:
     walkers = _started(plane, seeds.of(np.arange(0)), 0, 0)
     while len(seeds.q) and step < MOST:
         born = seeds.of(_scattered(plane, seeds))
-        while len(born.q) or len(walkers.line):
+        while (len(born.q) or len(walkers.line)) and step < MOST:
             started = _started(plane, born, len(trails), step)
             passed.enter(plane.points(started.stand.q), started.stand.bearing, started.line, step)
             trails += [[q] for q in started.stand.q]

@@ -96,7 +96,7 @@ def settled(plane: Plane, stand: Stand, steps: int) -> tuple[Stand, Mask]:
     """The nearest postures at which no free joint has a rate, by Newton's method, and whether they were found."""
     for _ in range(steps):
         wrong, rows = _system(slopes(plane, stand), stand.held)
-        step = _shortest(rows, -wrong)
+        step = _shortest(rows, -wrong) * _movable(stand.held)
         size = np.linalg.norm(step, axis=1, keepdims=True)
         stand = stand.moved(step * (LONGEST / np.maximum(size, LONGEST)))
     wrong, _ = _system(slopes(plane, stand), stand.held)
@@ -106,7 +106,7 @@ def settled(plane: Plane, stand: Stand, steps: int) -> tuple[Stand, Mask]:
 def onward(found: Slopes, held: Whole, before: Values) -> Values:
     """Unit steps (m, k + 1) that keep the rates zero, as near as can be to those before."""
     _, rows = _system(found, held)
-    step = before - _shortest(rows, (rows @ before[..., None])[..., 0])
+    step = (before - _shortest(rows, (rows @ before[..., None])[..., 0])) * _movable(held)
     return step / np.maximum(np.linalg.norm(step, axis=1, keepdims=True), 1e-300)
 
 
@@ -141,6 +141,11 @@ def _system(found: Slopes, held: Whole) -> tuple[Values, Values]:
     fixed = held != 0
     rows = np.where(fixed[:, :, None], np.eye(held.shape[1], held.shape[1] + 1), found.derivatives)
     return np.where(fixed, 0.0, found.rates), rows
+
+
+def _movable(held: Whole) -> Mask:
+    """Free joints and the bearing (m, k + 1): the damping would let the others drift."""
+    return np.pad(held == 0, ((0, 0), (0, 1)), constant_values=True)
 
 
 def _shortest(rows: Values, wanted: Values) -> Values:

@@ -113,6 +113,21 @@ def test_a_slide_of_three_joints_is_held_at_its_ends():
     assert sorted(radii(robot)[True]) == pytest.approx([0.5, 1.5])
 
 
+def test_a_pedestal_lifts_the_curves_and_changes_nothing_else():
+    part = arm(replace(ROBOTS["articulated_6r"], base=(("Tz", "50"), ("Tx", "3"))))
+    lines = barriers(part, *AXES["articulated_6r"])
+    for (_, q), (_, twin) in zip(lines, FOUND["articulated_6r"], strict=True):
+        np.testing.assert_allclose(q, twin, atol=1e-6)
+        lifted = seen(PARTS["articulated_6r"], ("r", "z"), twin) + [0.0, 50.0]
+        np.testing.assert_allclose(seen(part, ("r", "z"), q), lifted, atol=1e-6)
+
+
+def test_a_wrist_that_only_turns_its_tool_has_no_curves():
+    rows = (("q1", "0", "0", "pi/2"), ("q2", "0", "0", "-pi/2"), ("q3", "0", "0", "0"))
+    wrist = Robot("wrist", "wrist", {}, rows, (TURN,) * 3, "chosen here", task_rows=(3, 4, 5))
+    assert barriers(arm(wrist), ("r", "z"), (1, 2)) == []
+
+
 @pytest.mark.parametrize("scale", [1e-6, 1e6])
 def test_the_unit_of_length_decides_nothing(scale):
     robot = ROBOTS["articulated_6r"]
