@@ -118,7 +118,7 @@ def test_a_pedestal_lifts_the_curves_and_changes_nothing_else():
     lines = barriers(part, *AXES["articulated_6r"])
     for (_, q), (_, twin) in zip(lines, FOUND["articulated_6r"], strict=True):
         np.testing.assert_allclose(q, twin, atol=1e-6)
-        lifted = seen(PARTS["articulated_6r"], ("r", "z"), twin) + [0.0, 50.0]
+        lifted = np.add(seen(PARTS["articulated_6r"], ("r", "z"), twin), [0.0, 50.0])
         np.testing.assert_allclose(seen(part, ("r", "z"), q), lifted, atol=1e-6)
 
 
