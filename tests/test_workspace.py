@@ -69,7 +69,7 @@ def test_every_rim_of_the_cells_lies_on_a_boundary_curve(name: str) -> None:
         rim = rim[rim[:, 0] > 2 * size]  # axis 1 ends the half plane, not the workspace
     walls = np.concatenate([curve.points[curve.boundary] for curve in cut.curves])
     gap = np.linalg.norm(rim[:, None] - walls, axis=-1).min(axis=1)
-    assert gap.max() < (1.5 if name in SPANNED_BY_MORE else 4) * size
+    assert gap.max() < (1 if name in SPANNED_BY_MORE else 4) * size
 
 
 @pytest.mark.parametrize("name", ROBOTS)
