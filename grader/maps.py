@@ -3,7 +3,6 @@
 
 import os
 import re
-from collections.abc import Mapping
 from contextlib import suppress
 from functools import lru_cache
 from pathlib import Path
@@ -15,9 +14,9 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from ..solutions.errors import KinegradeError
-from ..solutions.expression import latex_name
+from ..solutions.expression import latex_name, parse
 from ..solutions.singularity import Arm, Parameters, Values, arm, factor_values, sigma_min, task_block, zero_set
-from ..solutions.workspace import LIMITS, Section, reach, section
+from ..solutions.workspace import LIMITS, SINGULAR, Section, reach, section
 from .panels import JointMap, short, sigma_unit, sign_rule, spatial_panels
 from .planar_panels import planar_panels
 
@@ -49,7 +48,7 @@ def figure(robot: "Robot", parameters: Parameters = None) -> Figure:
         flat = found.part.chain.kinds == "RR" and cut.axes == ("x", "y")
         drawn = Figure(figsize=(12, 4.7 if flat else 5.5), dpi=100, layout="constrained")
         FigureCanvasAgg(drawn)
-        (planar_panels if flat else spatial_panels)(drawn, found, cut, _formula(robot, found))
+        (planar_panels if flat else spatial_panels)(drawn, found, cut, _formula(robot, found, parameters))
         values = ",  ".join(f"${latex_name(n)}={v:.5g}$" for n, v in robot.values(parameters).items())
         drawn.suptitle(f"{robot.title}  ({values} m)", fontsize=13)
         # Ticks and layout settle here, inside the style; later draws repeat them.
@@ -120,31 +119,24 @@ def _span(part: Arm, joint: int) -> tuple[float, float]:
     return min(low, 0.0) - margin, max(high, 0.0) + margin
 
 
-def _formula(robot: "Robot", found: JointMap) -> str | None:
-    """The determinant as the product of its factors; its constant is found as a monomial of the parameters."""
+def _formula(robot: "Robot", found: JointMap, parameters: Parameters) -> str | None:
+    """The determinant as the robot's constant times the factors of the drawn block, where that is what it is."""
     part, n = found.part, found.part.chain.n
-    texts = [_shorthand(f.expression, f.power) for f in part.factors]
-    if found.det is None or n > 3 or not texts or None in texts:
+    texts = [_shorthand(robot.constant, 1), *(_shorthand(f.expression, f.power) for f in part.factors)]
+    if found.det is None or not part.factors or None in texts:
         return None
-    q = np.array([[0.3, 0.7, 0.4], [0.3, -1.1, 1.3]])[:, :n]
-
-    def constant(values: Mapping[str, float]) -> Values:
-        named = factor_values(robot, values, np.pad(q, ((0, 0), (0, robot.n - n))))
-        product = np.prod([named[f.name] ** f.power for f in part.factors], axis=0)
-        return np.linalg.det(task_block(arm(robot, values), q)) / product
-
-    base = constant({})
-    powers = {name: float(np.log2(constant({name: 2 * v})[0] / base[0])) for name, v in robot.parameters.items()}
-    unit = base[0] / np.prod([robot.parameters[name] ** power for name, power in powers.items()])
-    found_all = np.allclose([base[1] / base[0], abs(unit), *powers.values()], [1, 1, *map(round, powers.values())])
-    if not found_all:
-        return None
-    lengths = [
-        latex_name(name) + (f"^{power:.0f}" if power > 1.5 else "") for name, power in powers.items() if power > 0.5
-    ]
-    sign = "-" if unit < 0 else ""
-    product = r"\,".join([*lengths, *map(str, texts)])
-    return rf"$\det\mathbf{{A}}={sign}{product}$"
+    q = np.array([[0.3, 0.7, 0.4, -0.5, 0.6, 0.2], [0.3, -1.1, 1.3, 0.9, -0.8, 0.5]])[:, : robot.n]
+    values = factor_values(robot, parameters, q)
+    product = parse(robot.constant, robot.names).at(robot.values(parameters))
+    product = product * np.prod([values[f.name] ** f.power for f in part.factors], axis=0)
+    with np.errstate(divide="ignore", invalid="ignore"):  # a length may be zero
+        ratio = np.linalg.det(task_block(part, q[:, :n])) / product
+    if not np.allclose(np.abs(ratio), 1.0) or ratio[0] * ratio[1] < 0:
+        return None  # the wrist's part of a constant is of size 1
+    sign = "-" if (ratio[0] < 0) != str(texts[0]).startswith("-") else ""
+    lengths = str(texts[0]).lstrip("-")
+    product_text = r"\,".join([*([lengths] if lengths != "1" else []), *map(str, texts[1:])])
+    return rf"$\det\mathbf{{A}}={sign}{product_text}$"
 
 
 def _shorthand(expression: str, power: int) -> str | None:
@@ -200,10 +192,12 @@ def _value(part: Arm, joint: int, value: float) -> str:
 
 
 def _walls(part: Arm, cut: Section) -> str:
-    names = [short(f.name) for f in part.factors] + [LIMITS]
+    found = {curve.name for curve in cut.curves}
+    factors = [] if SINGULAR in found else [short(f.name) for f in part.factors]  # those of another, larger, block
+    names = [*factors, short(SINGULAR), LIMITS]
     bounding = {short(curve.name) for curve in cut.curves if curve.boundary.any()}
     crossing = {short(curve.name) for curve in cut.curves if (~curve.boundary).any() and curve.name != LIMITS}
-    away = set(names[:-1]) - {short(curve.name) for curve in cut.curves} if cut.curves else set()
+    away = set(factors) - {short(name) for name in found} if found else set()
     texts = [
         ("Its workspace is bounded by the images of: ", bounding),
         ("Singular inside the workspace: ", crossing),

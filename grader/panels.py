@@ -1,6 +1,7 @@
 # pyright: basic
 """The panels of a spatial arm's figure: its joint map, its workspace's section and its determinant."""
 
+import re
 import textwrap
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -15,7 +16,7 @@ from numpy.typing import NDArray
 
 from ..solutions.expression import latex_name
 from ..solutions.singularity import Arm, Values
-from ..solutions.workspace import LIMITS, Section
+from ..solutions.workspace import LIMITS, SINGULAR, Section
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -26,6 +27,8 @@ if TYPE_CHECKING:
 # Dark solid, light dashed, ...: apart in colour, in grey and by pattern.
 LINES = (("#d7301f", "-"), ("#35c4f0", (0, (4, 1.6))), ("#f5a300", (0, (1, 1.2))), ("#d66bd0", (0, (5, 1.5, 1, 1.5))))
 INK = "#1c1c1c"
+PURPLE = "#7b2a9c"  # of curves that belong to no factor
+WIDTHS = {(LIMITS, "boundary"): 1.4, (LIMITS, "inside"): 0.7, (SINGULAR, "boundary"): 1.8, (SINGULAR, "inside"): 0.9}
 ROWS = ("v_x", "v_y", "v_z", r"\omega_x", r"\omega_y", r"\omega_z")
 
 
@@ -82,7 +85,7 @@ def _draw_factors(ax: "Axes", found: JointMap, *, plain: bool = False) -> list:
         effects = [withStroke(linewidth=style["lw"] + 1.2, foreground=halo)]
         for line in lines:
             ax.plot(*line.T, **style, path_effects=[] if plain else effects, zorder=3)
-        handles.append(Line2D([], [], **style, label=_wrapped(name)))
+        handles.append(Line2D([], [], **style, label=_wrapped(typeset(name))))
     return handles
 
 
@@ -171,7 +174,9 @@ def draw_section(ax: "Axes", found: JointMap, cut: Section, norm: PowerNorm) -> 
 
 
 def _draw_curves(ax: "Axes", found: JointMap, cut: Section) -> list:
-    inks = dict(zip((f.name for f in found.part.factors), (colour for colour, _ in LINES), strict=False))
+    inks = {SINGULAR: PURPLE} | dict(
+        zip((f.name for f in found.part.factors), (colour for colour, _ in LINES), strict=False)
+    )
     handles: dict[str, Line2D] = {}
     drawn: dict[str, list[Values]] = {}
     size = max(cut.extent[1] - cut.extent[0], cut.extent[3] - cut.extent[2])
@@ -183,7 +188,7 @@ def _draw_curves(ax: "Axes", found: JointMap, cut: Section) -> list:
             ax.plot(*curve.points[0], "o", ms=7, mfc=style["color"], mec="white", zorder=5)
             continue
         for place, there, pattern in (("boundary", curve.boundary, "-"), ("inside", ~curve.boundary, (0, (3, 1.5)))):
-            width = 2.4 if curve.name != LIMITS else 1.4 if place == "boundary" else 0.7
+            width = WIDTHS.get((curve.name, place), 2.4)
             line = {**style, "lw": width, "ls": pattern, "label": f"{name}: {place}"}
             mask = there & _fresh(curve.points, drawn.setdefault(line["label"], []), 0.004 * size)
             if mask.any():
@@ -192,8 +197,13 @@ def _draw_curves(ax: "Axes", found: JointMap, cut: Section) -> list:
                 )
                 handles[line["label"]] = Line2D([], [], **line)
                 drawn[line["label"]].append(curve.points[mask])
-    order = [short(f.name) for f in found.part.factors] + [LIMITS]
-    return sorted(handles.values(), key=lambda handle: order.index(short(str(handle.get_label()))))
+    order = [*(short(f.name) for f in found.part.factors), short(SINGULAR), LIMITS]
+
+    def rank(handle: Line2D) -> tuple[int, str]:
+        name, _, where = str(handle.get_label()).partition(":")
+        return order.index(name), where
+
+    return sorted(handles.values(), key=rank)
 
 
 def _fresh(points: Values, drawn: list[Values], near: float) -> NDArray[np.bool_]:
@@ -255,6 +265,11 @@ def below(ax: "Axes") -> Transform:
 
 def _wrapped(text: str, width: int = 46) -> str:
     return "\n".join(textwrap.wrap(text, width))
+
+
+def typeset(name: str) -> str:
+    """A factor's name with lengths in mathematics: |d2| as its symbol with a subscript."""
+    return re.sub(r"\|(\w+)\|", lambda found: f"$|{latex_name(found[1])}|$", name)
 
 
 def short(name: str) -> str:

@@ -11,7 +11,7 @@ from matplotlib.patches import Circle, Ellipse
 from ..solutions.kinematics import frames
 from ..solutions.singularity import singular_values, task_block
 from ..solutions.workspace import LIMITS, Section, meridian
-from .panels import INK, LINES, JointMap, angle_ticks, below, draw_section, sigma_bar
+from .panels import INK, LINES, JointMap, angle_ticks, below, draw_section, sigma_bar, typeset
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -31,7 +31,7 @@ def planar_panels(drawn: "Figure", found: JointMap, cut: Section, formula: str |
     ring.set_title("Workspace: a ring, singular on its rims" if whole else "Workspace within the joint limits")
     if whole and len(found.curves) == 1:
         radii = sorted({f"{np.hypot(*curve.points[0]):.3g} m" for curve in cut.curves})
-        label = f"{found.curves[0][0]}:\nradius {' and '.join(radii)}"
+        label = f"{typeset(found.curves[0][0])}:\nradius {' and '.join(radii)}"
         rim = Line2D([], [], color=LINES[0][0], lw=2.4, label=label)
         place = {"loc": "upper center", "bbox_to_anchor": (0.5, 0.0), "bbox_transform": below(ring)}
         ring.legend(handles=[rim], **place, handlelength=2.6)

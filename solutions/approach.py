@@ -21,13 +21,14 @@ def approached(
     """
     low, high = np.transpose([part.limits[i] for i in free])
     low, high = low + 1e-6 * (high - low), high - 1e-6 * (high - low)  # on axis 1 itself r has no derivative
-    q = np.clip(q, low, high)
+    q, ranges = np.clip(q, low, high), high - low
     for _ in range(STEPS):
         gap, gain = _gap(part, free, axes, q, wanted)
+        gain *= ranges  # steps are shares of the joints' ranges, whatever their units
         step = _solved(gain, gap)
         stuck = ((q <= low) & (step < 0)) | ((q >= high) & (step > 0))
         step = np.where(stuck.any(axis=1, keepdims=True), _solved(np.where(stuck[:, None], 0.0, gain), gap), step)
-        q = np.clip(q + np.clip(step, -0.1 * (high - low), 0.1 * (high - low)), low, high)
+        q = np.clip(q + np.clip(step, -0.1, 0.1) * ranges, low, high)
     return q, _gap(part, free, axes, q, wanted)[0]
 
 
@@ -65,5 +66,7 @@ def _gap(part: Arm, free: tuple[int, ...], axes: tuple[str, str], q: Values, wan
 def _solved(gain: Values, gap: Values) -> Values:
     """Damped least squares, which a singular gain does not upset."""
     transposed = np.swapaxes(gain, 1, 2)
-    square = transposed @ gain + 1e-9 * np.eye(gain.shape[-1])
+    square = transposed @ gain
+    size = np.trace(square, axis1=1, axis2=2) + np.finfo(np.float64).tiny
+    square += 1e-9 * size[:, None, None] * np.eye(gain.shape[-1])
     return np.asarray(np.linalg.solve(square, transposed @ gap[..., None])[..., 0], dtype=np.float64)

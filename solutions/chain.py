@@ -22,8 +22,9 @@ class ChainError(KinegradeError):
 class Chain:
     """Joint i turns about, or slides along, the z axis of the frame before E_i.
 
-    `fixed` (n + 1, 4, 4) holds C0 ... Cn, read-only, with entries within 1e-15 of 0 and +-1 snapped;
-    `kinds` names the joints in order, "R" revolute and "P" prismatic. Raises ChainError.
+    `fixed` (n + 1, 4, 4) holds C0 ... Cn, read-only: entries of rotations within 1e-15 of 0 and +-1 are exact, and
+    lengths below 1e-15 of the longest are 0. `kinds` names the joints in order, "R" revolute and "P" prismatic.
+    Raises ChainError.
     """
 
     fixed: Array
@@ -31,12 +32,13 @@ class Chain:
     compiled: dict[str, Any] = field(default_factory=dict[str, Any], init=False, repr=False)
 
     def __post_init__(self) -> None:
-        fixed = snapped(reals("fixed", self.fixed))
+        fixed = reals("fixed", self.fixed)
         if not self.kinds or set(self.kinds) - {"R", "P"}:
             raise ChainError(f"kinds takes one letter R or P for each joint, got {self.kinds!r}")
         expected = (len(self.kinds) + 1, 4, 4)
         if fixed.shape != expected:
             raise ChainError(f"fixed takes shape {expected} for kinds {self.kinds!r}, got {fixed.shape}")
+        fixed = snapped_transforms(fixed)
         for index, transform in enumerate(fixed):
             _check_rigid(f"fixed[{index}]", transform)
         fixed.flags.writeable = False
@@ -57,6 +59,14 @@ def snapped(values: ArrayLike) -> Array:
     array = np.array(values, dtype=np.float64)
     nearest = np.round(array)
     return np.where((np.abs(array - nearest) < SNAP) & (np.abs(nearest) <= 1), nearest + 0.0, array)
+
+
+def snapped_transforms(transforms: Array) -> Array:
+    """Copy of transforms (..., 4, 4): rotations `snapped`, lengths below 1e-15 of the longest of them all made 0."""
+    result = snapped(transforms)
+    p = transforms[..., :3, 3]
+    result[..., :3, 3] = np.where(np.abs(p) < SNAP * np.max(np.abs(p), initial=0.0), 0.0, p + 0.0)
+    return result
 
 
 def elementary(motion: str, amount: ArrayLike) -> Array:
@@ -134,6 +144,14 @@ def configuration(n: int, q: ArrayLike, name: str = "q") -> Array:
     return values
 
 
+def one_configuration(n: int, q: ArrayLike, name: str = "q") -> Array:
+    """Joint values as float64 of shape (n,); ChainError says what is wrong with other input."""
+    values = configuration(n, q, name)
+    if values.ndim != 1:
+        raise ChainError(f"{name} takes shape ({n},), got {values.shape}")
+    return values
+
+
 def product(transforms: Iterable[Array]) -> Array:
     """Product of transforms, left to right; the identity if there are none."""
     result = np.eye(4)
@@ -171,10 +189,10 @@ def _table(rows: ArrayLike, kinds: str) -> Array:
 def _transform(name: str, value: ArrayLike | None) -> Array:
     if value is None:
         return np.eye(4)
-    transform = snapped(reals(name, value))
+    transform = reals(name, value)
     if transform.shape != (4, 4):
         raise ChainError(f"{name} takes shape (4, 4), got {transform.shape}")
-    return transform
+    return snapped_transforms(transform)
 
 
 def _check_rigid(name: str, transform: Array) -> None:

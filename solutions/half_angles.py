@@ -32,7 +32,7 @@ class HalfAngles:
     def factored(self, of: Polynomial) -> tuple[sp.Expr, Powers]:
         """Rational number and irreducible factors of a polynomial in cosines and sines of single angles.
 
-        With degree d in cosine and sine of an angle, the polynomial times (1 + t^2)^d / 1 is a form of degree 2d;
+        With degree d in cosine and sine of an angle, the polynomial times (1 + t^2)^d is a form of degree 2d;
         what t misses of that degree are zeros at infinity, q = pi, and counted under the angle. Factors 1 + t^2 have
         no zeros and are left out on both sides.
         """

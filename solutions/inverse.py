@@ -4,15 +4,17 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from numbers import Integral, Real
 from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .chain import Array, Chain, ChainError, configuration, reals
+from .chain import Array, Chain, ChainError, one_configuration, reals
 from .derivatives import hessian
 from .jacobian import jacobian
 from .kinematics import forward
+from .limits import are_outside
 from .rotation import rotation_vector, rotations
 from .velocity import chosen_rows, damped_inverse
 
@@ -144,19 +146,18 @@ def inverse_kinematics(
         ChainError: An argument of the wrong form, or a start outside the limits. That no solution is found is no
             error: `Solution.stopped` says why.
     """
-    q = configuration(chain.n, start, "start").copy()
-    if q.shape != (chain.n,):
-        raise ChainError(f"start takes shape ({chain.n},), got {q.shape}")
+    q = one_configuration(chain.n, start, "start")
     low, high = _limits(limits, q)
+    q = np.clip(q, low, high)
     wanted = _pose(target)
     length = _length(chain, wanted, q, np.concatenate([low, high]))
     tolerance = 1e-9 * length if position_tolerance is None else position_tolerance
     numbers = {"position_tolerance": tolerance, "rotation_tolerance": rotation_tolerance, "longest_step": longest_step}
     for name, value in numbers.items():
-        if not 0 < value < math.inf:
-            raise ChainError(f"{name} takes a finite number above 0, got {value}")
-    if iterations < 0:
-        raise ChainError(f"iterations takes a number from 0, got {iterations}")
+        if not isinstance(value, Real) or not 0 < value < math.inf:
+            raise ChainError(f"{name} takes a finite number above 0, got {value!r}")
+    if not isinstance(iterations, Integral) or iterations < 0:
+        raise ChainError(f"iterations takes a whole number from 0, got {iterations!r}")
     problem = _Problem(chain, wanted, chosen_rows(rows), low, high, length, (tolerance, rotation_tolerance))
     return _descend(problem, q, longest_step, iterations)
 
@@ -167,6 +168,13 @@ def displacement(reached: ArrayLike, desired: ArrayLike) -> Array:
     Both are in base axes, with R_desired = R(dw) R_reached (S0, eq. 4.11 and 4.13). Raises ChainError.
     """
     a, b = reals("reached", reached), reals("desired", desired)
+    for name, T in (("reached", a), ("desired", b)):
+        if T.shape[-2:] != (4, 4):
+            raise ChainError(f"{name} takes shape (..., 4, 4), got {T.shape}")
+    try:
+        np.broadcast_shapes(a.shape, b.shape)
+    except ValueError:
+        raise ChainError(f"desired takes a batch that fits {a.shape[:-2]}, got {b.shape[:-2]}") from None
     dw = rotation_vector(b[..., :3, :3] @ a[..., :3, :3].mT)
     dp = np.broadcast_to(b[..., :3, 3] - a[..., :3, 3], dw.shape)
     return np.concatenate([dp, dw], axis=-1)
@@ -253,17 +261,19 @@ def _limits(limits: ArrayLike | None, start: Array) -> tuple[Array, Array]:
     if pairs.shape != (len(start), 2) or not (pairs[:, 0] <= pairs[:, 1]).all():
         raise ChainError(f"limits takes {len(start)} pairs of a lowest and a highest value, got {pairs.tolist()}")
     low, high = pairs.T
-    outside = np.flatnonzero((start < low) | (start > high))
-    if outside.size:
-        i = int(outside[0])
+    beyond = np.flatnonzero(are_outside(pairs, start))
+    if beyond.size:
+        i = int(beyond[0])
         raise ChainError(f"start takes q{i + 1} from {low[i]:g} to {high[i]:g}, got {start[i]:g}")
     return low, high
 
 
 def _pose(target: ArrayLike) -> Array:
     T = reals("target", target)
-    if T.shape != (4, 4) or (T[3] != (0.0, 0.0, 0.0, 1.0)).any():
-        raise ChainError(f"target takes one transform (4, 4) with the last row [0 0 0 1], got shape {T.shape}")
+    if T.shape != (4, 4):
+        raise ChainError(f"target takes one transform (4, 4), got shape {T.shape}")
+    if (T[3] != (0.0, 0.0, 0.0, 1.0)).any():
+        raise ChainError(f"target takes the last row [0 0 0 1], got {T[3].tolist()}")
     _ = rotations("target", T[:3, :3])
     return T
 

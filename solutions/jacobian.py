@@ -5,7 +5,7 @@ What others call it: `jacobian(chain, q)` is roboticstoolbox's `jacob0` and Pino
 `JacobianSpace` is point "origin" and its `JacobianBody` frame "tool", with the rows 3, 4, 5, 0, 1, 2.
 """
 
-from typing import Literal
+from typing import Literal, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -128,9 +128,19 @@ def _check_batch(name: str, batch: tuple[int, ...], J: Array) -> None:
         raise ChainError(f"{name} takes a batch that fits {J.shape[:-2]}, got {batch}") from None
 
 
-def _check_out(shape: tuple[int, ...], out: Array) -> None:
-    if out.shape != shape or out.dtype != np.float64 or not out.flags.c_contiguous:
-        raise ChainError(f"out takes C-contiguous float64 of shape {shape}, got {out.dtype} of shape {out.shape}")
+def _check_out(shape: tuple[int, ...], out: object) -> None:
+    array = cast("Array", out)
+    if not isinstance(out, np.ndarray):
+        found = f"a {type(out).__name__}"
+    elif array.shape != shape or array.dtype != np.float64:
+        found = f"{array.dtype} of shape {array.shape}"
+    elif not array.flags.c_contiguous:
+        found = "strides that are not C-contiguous"
+    elif not array.flags.writeable:
+        found = "a read-only one"
+    else:
+        return
+    raise ChainError(f"out takes a writable, C-contiguous array, float64 of shape {shape}, got {found}")
 
 
 def _copied(J: Array, out: Array) -> Array:

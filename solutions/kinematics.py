@@ -3,7 +3,7 @@
 from numpy.typing import ArrayLike
 
 from .chain import Array, Chain, configuration
-from .emit import evaluate
+from .emit import evaluate, plain
 
 
 def forward(chain: Chain, q: ArrayLike) -> Array:
@@ -11,7 +11,8 @@ def forward(chain: Chain, q: ArrayLike) -> Array:
 
     Raises ChainError if q is not real, finite and of that shape.
     """
-    return evaluate(chain, "pose", configuration(chain.n, q))
+    known = plain(chain, "pose", q)
+    return evaluate(chain, "pose", configuration(chain.n, q)) if known is None else known
 
 
 def frames(chain: Chain, q: ArrayLike) -> Array:
@@ -20,4 +21,5 @@ def frames(chain: Chain, q: ArrayLike) -> Array:
     Frame i - 1 is the one before E_i: its z is the axis of joint i, its origin a point on it. The last is the tool.
     Raises ChainError if q is not real, finite and of that shape.
     """
-    return evaluate(chain, "frames", configuration(chain.n, q))
+    known = plain(chain, "frames", q)
+    return evaluate(chain, "frames", configuration(chain.n, q)) if known is None else known

@@ -27,18 +27,18 @@ class Polynomial:
     terms: dict[Monomial, Any]
 
     def __add__(self, other: Polynomial) -> Polynomial:
-        total = dict(self.terms)
+        summed = dict(self.terms)
         for monomial, coefficient in other.terms.items():
-            total[monomial] = total.get(monomial, 0) + coefficient
-        return Polynomial({m: c for m, c in total.items() if c})
+            summed[monomial] = summed.get(monomial, 0) + coefficient
+        return Polynomial({m: c for m, c in summed.items() if c})
 
     def __mul__(self, other: Polynomial) -> Polynomial:
-        total: dict[Monomial, Any] = {}
+        summed: dict[Monomial, Any] = {}
         for left, a in self.terms.items():
             for right, b in other.terms.items():
                 monomial = tuple(sorted(left + right, key=_order)) if left and right else left + right
-                total[monomial] = total.get(monomial, 0) + a * b
-        return Polynomial({m: c for m, c in total.items() if c})
+                summed[monomial] = summed.get(monomial, 0) + a * b
+        return Polynomial({m: c for m, c in summed.items() if c})
 
     def __neg__(self) -> Polynomial:
         return Polynomial({m: -c for m, c in self.terms.items()})
@@ -48,13 +48,13 @@ class Polynomial:
 
     def diff(self, symbol: sp.Symbol) -> Polynomial:
         """Derivative by one joint or parameter."""
-        total = ZERO
+        summed = ZERO
         for monomial, coefficient in self.terms.items():
             for i, letter in enumerate(monomial):
                 slope = _slope(letter, symbol)
                 if slope.terms:
-                    total = total + Polynomial({monomial[:i] + monomial[i + 1 :]: coefficient}) * slope
-        return total
+                    summed = summed + Polynomial({monomial[:i] + monomial[i + 1 :]: coefficient}) * slope
+        return summed
 
     def expression(self) -> sp.Expr:
         """Sympy expression in a short nested form, such as c1*(a2*c2 + a3*c23) + d3*s1."""
@@ -73,7 +73,7 @@ ZERO, ONE = Polynomial({}), Polynomial({(): 1})
 @cache
 def polynomial(expression: Any) -> Polynomial:
     """Polynomial of an expression; what is no sum, product, whole power or rational number is a letter."""
-    total = ZERO
+    result = ZERO
     terms: tuple[Any, ...] = sp.Add.make_args(sp.expand(expression))
     for term in terms:
         coefficient, factors = term.as_coeff_mul()
@@ -84,8 +84,8 @@ def polynomial(expression: Any) -> Polynomial:
             power = factor.exp if factor.is_Pow and factor.exp.is_Integer and factor.exp > 0 else 1
             letters += [factor if power == 1 else factor.base] * int(power)
         number = int(coefficient) if coefficient.is_Integer else coefficient
-        total = total + Polynomial({tuple(sorted(letters, key=_order)): number})
-    return total
+        result = result + Polynomial({tuple(sorted(letters, key=_order)): number})
+    return result
 
 
 def total(terms: Iterable[Polynomial]) -> Polynomial:

@@ -6,7 +6,7 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
-from .chain import Array, Chain, elementary, snapped
+from .chain import Array, Chain, elementary, snapped_transforms
 from .tracer import Angle, Rows, Signed, Step, Sum, Tracer, Value, Vector, negated, rotation
 
 Wanted = Literal["base", "tool", "pose", "frames"]
@@ -207,10 +207,10 @@ def _folded(C: Array) -> tuple[float, Array, float]:
     """
     x, y = C[0, 2], C[1, 2]
     first = float(np.arctan2(x, -y)) if x and y else 0.0
-    D = snapped(elementary("Rz", -first) @ C)
+    D = snapped_transforms(elementary("Rz", -first) @ C)
     level = D[1] if D[0, 2] else D[0]  # the row that only a last turn about z can have filled
     last = float(np.arctan2(-level[1], level[0])) if (x or y) and level[0] and level[1] else 0.0
-    return first, snapped(D @ elementary("Rz", -last)), last
+    return first, snapped_transforms(D @ elementary("Rz", -last)), last
 
 
 def _translation(C: Array) -> Vector:

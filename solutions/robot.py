@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING, Literal, SupportsFloat
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .chain import Array, Chain, configuration, elementary, from_frames, product
+from .chain import Array, Chain, configuration, elementary, from_frames, one_configuration, product
 from .errors import KinegradeError
 from .expression import Expression, parse
+from .limits import Outside, outside
 from .table import Table, read_table
 
 if TYPE_CHECKING:
@@ -96,7 +97,11 @@ class Robot:
         """Configuration (n,) [rad, m] of that name; RobotError lists the valid ones."""
         if name not in self.poses:
             raise RobotError(unknown(f"pose of {self.name}", name, self.poses))
-        return configuration(self.n, self.poses[name], f"pose {name} of {self.name}")
+        return one_configuration(self.n, self.poses[name], f"pose {name} of {self.name}")
+
+    def outside(self, q: ArrayLike) -> tuple[Outside, ...]:
+        """The joints that are outside their limits at q (n,) [rad, m]; str() of each is a sentence. ChainError."""
+        return outside(self.limits, self.kinds, q)
 
     @cached_property
     def table(self) -> Table:

@@ -182,15 +182,16 @@ def _wrist_centre(chain: Chain) -> float | None:
     if chain.n != 6 or chain.kinds[3:] != "RRR":
         return None
     F = frames(chain, np.zeros(6))
+    near = 1e-9 * float(np.abs(chain.fixed[:, :3, 3]).max())
     meetings: list[Values] = []
     for first, second in ((3, 4), (4, 5)):
         z, w = F[first, :3, 2], F[second, :3, 2]
         gap = F[second, :3, 3] - F[first, :3, 3]
         normal = np.cross(z, w)
-        if normal @ normal < 1e-12 or abs(gap @ normal) > 1e-9:
+        if normal @ normal < 1e-12 or abs(gap @ normal) > near:
             return None
         meetings.append(F[first, :3, 3] + z * (np.cross(gap, w) @ normal) / (normal @ normal))
-    if np.abs(meetings[0] - meetings[1]).max() > 1e-9:
+    if np.abs(meetings[0] - meetings[1]).max() > near:
         return None
     return float((meetings[0] - F[3, :3, 3]) @ F[3, :3, 2])
 

@@ -1,5 +1,6 @@
 """A chain read from a URDF file."""
 
+from collections import Counter
 from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
@@ -37,7 +38,7 @@ def read_urdf(text_or_path: str | PathLike[str], base: str | None = None, tip: s
     one turn as its limits. Joints off the way from base to tip are not looked at. Raises UrdfError.
     """
     robot = _parsed(_text(text_or_path))
-    links = list(dict.fromkeys(_attribute(link, "name", "a link") for link in robot.findall("link")))
+    links = _links(robot)
     above = _joints_above(robot, links)
     first = _base(links, above, base)
     last = _tip(links, above, first, tip)
@@ -75,6 +76,13 @@ def _parsed(text: str) -> ET.Element:
     if root.tag != "robot":
         raise UrdfError(f"a URDF takes <robot> as its outermost element, got <{root.tag}>")
     return root
+
+
+def _links(robot: ET.Element) -> list[str]:
+    links = [_attribute(link, "name", "a link") for link in robot.findall("link")]
+    if twice := [link for link, count in Counter(links).items() if count > 1]:
+        raise UrdfError(f"links take names of their own, got {twice[0]} twice")
+    return links
 
 
 def _joints_above(robot: ET.Element, links: list[str]) -> dict[str, ET.Element]:
@@ -180,7 +188,7 @@ def _three(joint: ET.Element, element: ET.Element | None, key: str, default: str
 
 def _number(joint: ET.Element, word: str, what: str) -> float:
     try:
-        value = float(word)
+        value = np.nan if "_" in word else float(word)  # Python reads 1_0 as 10; no URDF means that
     except ValueError:
         value = np.nan
     if not np.isfinite(value):

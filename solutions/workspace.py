@@ -8,6 +8,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .approach import approached, configurations, in_axis_frame, projected
+from .barriers import barriers
+from .cells import Extent, beside_empty, filled, raster, spread
 from .chain import Chain
 from .kinematics import forward
 from .singularity import Arm, Parameters, Values, arm, sigma_min, task_block, zero_set
@@ -20,8 +22,7 @@ SEEDS = 48  # per joint, where the search for a posture starts
 BESIDE = 5e-4  # of a curve's size: how far off it the two sides are tried
 FINER = 6  # bilinear points between two samples; their error is far below a cell
 LIMITS = "joint limits"
-
-Extent = tuple[float, float, float, float]  # left, right, bottom, top [m]
+SINGULAR = "singular: no velocity across"  # curves of a section that three joints or more span
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,7 +30,7 @@ class Curve:
     """The image of a singular set or of joint-limit faces in a section.
 
     Attributes:
-        name: The factor's name, or "joint limits".
+        name: The factor's name, "joint limits", or, in a section that three joints or more span, `SINGULAR`.
         points: Shape (m, 2) [m].
         q: The configurations of the arm (m, n) that lead there.
         boundary: For each point (m,), whether the tool cannot get to one side of it.
@@ -49,7 +50,8 @@ class Section:
         axes: ("r", "z") or ("x", "y"), in the frame of axis 1 [m].
         cells: The largest sigma_min found in each cell (ny, nx), NaN where the tool cannot get.
         extent: left, right, bottom, top of the cells [m].
-        curves: Images of the singular sets and of the joint-limit faces, if two joints span the section.
+        curves: Images of the singular sets and of the joint-limit faces. Where three joints or more span the section,
+            of the faces only what the tool cannot pass in that posture.
     """
 
     axes: tuple[str, str]
@@ -88,14 +90,15 @@ def section(robot: "Robot", parameters: Parameters = None, *, cells: int = 320) 
     part = arm(robot, parameters)
     axes, free = _plane(part)
     if len(free) != 2:
-        return _cloud(part, axes, cells // 4)
+        image, extent = filled(part, axes, cells // 4)
+        return Section(axes, image, extent, _barrier_curves(part, axes, free, image, extent))
     grid = [np.linspace(*part.limits[i], SAMPLES) for i in free]
     q = configurations(part.chain.n, free, np.stack(np.meshgrid(*grid, indexing="ij"), axis=-1))
     sigma = sigma_min(task_block(part, q))
     finer = _interpolation(SAMPLES, FINER)
     p = np.moveaxis(in_axis_frame(part.chain, q), -1, 0)
     p, sigma = finer @ p @ finer.T, finer @ sigma @ finer.T
-    image, extent = _raster(projected(np.moveaxis(p, 0, -1), axes), sigma, cells)
+    image, extent = raster(projected(np.moveaxis(p, 0, -1), axes), sigma, cells)
     curves = _singular_curves(robot, parameters, part, free) + _limit_curves(part, free)
     points = [projected(in_axis_frame(part.chain, line), axes) for _, line in curves]
     return Section(
@@ -111,9 +114,9 @@ def section(robot: "Robot", parameters: Parameters = None, *, cells: int = 320) 
 
 def _plane(part: Arm) -> tuple[tuple[str, str], tuple[int, ...]]:
     """The coordinates of the section and the joints that change something in it."""
-    q = _spread(part, 64)
-    spread = in_axis_frame(part.chain, q)
-    if part.chain.kinds[0] == "P" or np.ptp(spread[:, 2]) < 1e-9:
+    q = spread(part, 64)
+    reached = in_axis_frame(part.chain, q)
+    if part.chain.kinds[0] == "P" or np.ptp(reached[:, 2]) <= 1e-9 * np.abs(reached).max():
         axes, first = ("x", "y"), 0
     else:
         axes, first = ("r", "z"), 1
@@ -124,82 +127,16 @@ def _matters(part: Arm, joint: int, axes: tuple[str, str], q: Values) -> bool:
     """Whether a joint moves the tool in the section or changes sigma_min: the last of a SCARA does neither."""
     turned = q.copy()
     turned[:, joint] = q[::-1, joint]
-    moved = projected(in_axis_frame(part.chain, q), axes) - projected(in_axis_frame(part.chain, turned), axes)
-    changed = sigma_min(task_block(part, q)) - sigma_min(task_block(part, turned))
-    return max(float(np.abs(moved).max()), float(np.abs(changed).max())) > 1e-12
-
-
-def _spread(part: Arm, count: int) -> Values:
-    """Configurations (count, n) spread evenly over the joint limits: Roberts' additive recurrence."""
-    n = part.chain.n
-    ratio = 2.0
-    for _ in range(40):
-        ratio = (1 + ratio) ** (1 / (n + 1))
-    low, high = np.transpose(part.limits)
-    return low + (high - low) * (np.arange(1, count + 1)[:, None] * ratio ** -np.arange(1.0, n + 1) % 1)
-
-
-def _cloud(part: Arm, axes: tuple[str, str], cells: int) -> Section:
-    """A section that more than two joints span: samples, then postures for the empty cells beside the reached ones."""
-    q = _spread(part, 40_000)
-    points, sigma = projected(in_axis_frame(part.chain, q), axes), sigma_min(task_block(part, q))
-    image, extent = _raster(points, sigma, cells, margin=cells // 8)  # samples of many joints end short of the rim
-    size, corner = (extent[1] - extent[0]) / image.shape[1], np.array([extent[0], extent[2]])
-    posture = np.full((*image.shape, part.chain.n), np.nan)
-    posture[tuple(((points - corner) / size).astype(int).T[::-1])] = q
-    free, fresh = tuple(range(part.chain.n)), ~np.isnan(image)
-    while fresh.any():
-        empty, beside = _empty_beside(image, fresh)
-        at, gap = approached(part, free, axes, posture[tuple(beside.T)], (empty[:, ::-1] + 0.5) * size + corner)
-        found = (np.abs(gap) < 0.5 * size).all(axis=1)
-        fresh = np.zeros_like(fresh)
-        reached = tuple(empty[found].T)
-        posture[reached], fresh[reached] = at[found], True
-        image[reached] = sigma_min(task_block(part, at[found]))
-    return Section(axes, *_cropped(image, corner, size), ())
-
-
-def _cropped(image: Values, corner: Values, size: float) -> tuple[Values, Extent]:
-    """The reached cells with one empty cell around, and their extent."""
-    rows, columns = (np.flatnonzero((~np.isnan(image)).any(axis=axis)) for axis in (1, 0))
-    top, bottom, left, right = rows[-1] + 2, rows[0] - 1, columns[0] - 1, columns[-1] + 2
-    left, bottom = max(left, 0), max(bottom, 0)
-    kept = image[bottom:top, left:right]
-    x, y = corner + np.array([left, bottom]) * size
-    return kept, (float(x), float(x + kept.shape[1] * size), float(y), float(y + kept.shape[0] * size))
-
-
-def _empty_beside(image: Values, fresh: NDArray[np.bool_]) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-    """Rows and columns (m, 2) of empty cells, and of the cells reached last that each of them touches."""
-    cells = np.argwhere(fresh)
-    around = np.array([(i, j) for i in (-1, 0, 1) for j in (-1, 0, 1) if i or j])
-    beside = np.repeat(cells, len(around), axis=0)
-    empty = (cells[:, None] + around).reshape(-1, 2)
-    inside = ((empty >= 0) & (empty < image.shape)).all(axis=1)
-    empty, beside = empty[inside], beside[inside]
-    unreached = np.isnan(image[tuple(empty.T)])
-    return empty[unreached], beside[unreached]
+    at, sigma = projected(in_axis_frame(part.chain, q), axes), sigma_min(task_block(part, q))
+    moved = np.abs(projected(in_axis_frame(part.chain, turned), axes) - at).max() > 1e-12 * np.abs(at).max()
+    changed = np.abs(sigma_min(task_block(part, turned)) - sigma).max() > 1e-12 * sigma.max()
+    return bool(moved or changed)
 
 
 def _interpolation(count: int, finer: int) -> Values:
     """The matrix that puts `finer - 1` points between each two of `count` samples, on straight lines."""
     position = np.arange((count - 1) * finer + 1) / finer
     return np.maximum(0.0, 1 - np.abs(position[:, None] - np.arange(count)))
-
-
-def _raster(points: Values, sigma: Values, cells: int, margin: int = 1) -> tuple[Values, Extent]:
-    flat = points.reshape(-1, 2)
-    low, high = flat.min(axis=0), flat.max(axis=0)
-    size = max(float((high - low).max()), 1e-9) / cells
-    shape = np.ceil((high - low) / size).astype(int) + 1 + 2 * margin  # empty cells around
-    origin = (low + high - shape * size) / 2
-    column, row = ((flat - origin) / size).astype(int).T
-    image = np.full(shape[0] * shape[1], -np.inf)
-    np.maximum.at(image, row * shape[0] + column, sigma.ravel())
-    image[image == -np.inf] = np.nan
-    left, bottom = (float(v) for v in origin)
-    right, top = (float(v) for v in origin + shape * size)
-    return image.reshape(shape[1], shape[0]), (left, right, bottom, top)
 
 
 def _singular_curves(
@@ -211,6 +148,15 @@ def _singular_curves(
         for factor in part.factors
         for line in zero_set(robot, factor.name, parameters, free=(free[0], free[1]), ranges=ranges)
     ]
+
+
+def _barrier_curves(
+    part: Arm, axes: tuple[str, str], free: tuple[int, ...], image: Values, extent: Extent
+) -> tuple[Curve, ...]:
+    lines = [(LIMITS if held else SINGULAR, q) for held, q in barriers(part, axes, free)]
+    points = [projected(in_axis_frame(part.chain, q), axes) for _, q in lines]
+    flags = [beside_empty(image, extent, at) for at in points]
+    return tuple(Curve(name, at, q, flag) for (name, q), at, flag in zip(lines, points, flags, strict=True))
 
 
 def _limit_curves(part: Arm, free: tuple[int, ...]) -> list[tuple[str, Values]]:
@@ -229,7 +175,7 @@ def _limit_curves(part: Arm, free: tuple[int, ...]) -> list[tuple[str, Values]]:
 def _on_boundary(part: Arm, free: tuple[int, ...], axes: tuple[str, str], points: Values) -> NDArray[np.bool_]:
     """Whether the tool misses one of the two points just beside a curve, for each of its points."""
     size = float(np.ptp(points, axis=0).max())
-    if size < 1e-9:
+    if size <= 1e-9 * float(np.abs(points).max()):
         return np.zeros(len(points), dtype=np.bool_)
     along = np.gradient(points, axis=0)
     normal = np.column_stack([-along[:, 1], along[:, 0]])

@@ -21,6 +21,7 @@ from kinegrade.solutions.chain import (
 )
 from kinegrade.solutions.jacobian import jacobian
 from kinegrade.solutions.kinematics import forward, frames
+from kinegrade.solutions.robots import ROBOTS, Robot
 
 HALF = math.pi / 2
 ROWS = [[0.0, 0.4, 0.1, HALF], [0.3, 0.0, 0.5, 0.0], [0.0, 0.2, 0.0, -HALF]]
@@ -73,6 +74,32 @@ def test_entries_close_to_zero_and_one_are_snapped():
 def test_entries_that_are_merely_small_are_kept():
     fixed = np.array([np.eye(4), elementary("Tx", 1e-9)])
     assert Chain(fixed, "R").fixed[1, 0, 3] == 1e-9
+
+
+@pytest.mark.parametrize("scale", [1e-20, 1e-6, 1.0, 1e6, 1e20])
+def test_lengths_are_snapped_as_shares_of_the_longest(scale: float):
+    fixed = np.array([elementary("Tx", 0.3), elementary("Ty", 3e-15), elementary("Tz", 1.5e-15) @ elementary("Tx", 2)])
+    fixed[:, :3, 3] *= scale
+    kept = Chain(fixed, "RR").fixed[:, :3, 3]
+    np.testing.assert_array_equal(kept[:2], fixed[:2, :3, 3])
+    assert kept[2].tolist() == [2 * scale, 0.0, 0.0]
+
+
+@pytest.mark.parametrize("scale", [1e-6, 1e6])
+@pytest.mark.parametrize("robot", ROBOTS.values(), ids=lambda robot: robot.name)
+def test_an_arm_of_any_size_has_the_same_jacobian_in_its_own_lengths(robot: Robot, scale: float):
+    slides = np.array([kind == "P" for kind in robot.kinds])
+    q = np.random.default_rng(8).uniform(-1, 1, (20, robot.n))
+    other = robot.chain({name: scale * value for name, value in robot.parameters.items()})
+    unit = np.where(np.arange(6)[:, None] < 3, np.where(slides, 1.0, scale), 1.0)
+    for frame in ("base", "tool"):
+        J = jacobian(robot.chain(), q, frame)
+        there = np.where(slides, scale * q, q)
+        np.testing.assert_allclose(jacobian(other, there, frame) / unit, J, rtol=0, atol=1e-14)
+        np.testing.assert_allclose(jacobian(other, there[0], frame) / unit, J[0], rtol=0, atol=1e-14)
+    assert [x.size for x in map(np.flatnonzero, other.fixed)] == [
+        x.size for x in map(np.flatnonzero, robot.chain().fixed)
+    ]
 
 
 def test_the_constants_are_read_only_and_a_copy():

@@ -258,7 +258,7 @@ MIRROR = np.diag([1.0, 1.0, -1.0, 1.0])
         ({"target": np.eye(3)}, r"target takes one transform \(4, 4\)"),
         ({"target": np.full((4, 4), np.nan)}, "target takes finite numbers"),
         ({"target": MIRROR}, "target takes right-handed rotations"),
-        ({"target": 2 * np.eye(4)}, r"target takes one transform \(4, 4\) with the last row"),
+        ({"target": 2 * np.eye(4)}, r"target takes the last row \[0 0 0 1\], got \[0.0, 0.0, 0.0, 2.0\]"),
         ({"start": [0.1]}, r"start takes shape \(\.\.\., 2\), got \(1,\)"),
         ({"start": [[0.1, 0.2]]}, r"start takes shape \(2,\), got \(1, 2\)"),
         ({"start": [0.1, 4.0], "limits": [(-3, 3), (-3, 3)]}, "start takes q2 from -3 to 3, got 4"),
@@ -270,10 +270,34 @@ MIRROR = np.diag([1.0, 1.0, -1.0, 1.0])
         ({"position_tolerance": 0.0}, "position_tolerance takes a finite number above 0, got 0"),
         ({"rotation_tolerance": -1.0}, "rotation_tolerance takes a finite number above 0, got -1"),
         ({"longest_step": math.nan}, "longest_step takes a finite number above 0, got nan"),
-        ({"iterations": -1}, "iterations takes a number from 0, got -1"),
+        ({"longest_step": "short"}, "longest_step takes a finite number above 0, got 'short'"),
+        ({"iterations": -1}, "iterations takes a whole number from 0, got -1"),
+        ({"iterations": 2.5}, "iterations takes a whole number from 0, got 2.5"),
     ],
 )
 def test_wrong_input_is_refused_with_a_sentence(change: dict[str, Any], sentence: str):
     arguments: dict[str, Any] = {"target": at(1, 0.5), "start": [0.1, 0.2], **change}
     with pytest.raises(ChainError, match=sentence):
         inverse_kinematics(PLANAR, **arguments)
+
+
+def test_a_start_within_rounding_of_its_limits_is_put_on_them():
+    limits = [(-1.0, 1.0), (0.5, 2.0)]
+    start = np.array([1.0 + 1e-15, 0.5 - 1e-16])
+    assert start[0] > 1.0
+    found = inverse_kinematics(PLANAR, forward(PLANAR, [0.9, 0.6]), start, rows=(0, 1), limits=limits)
+    assert found.converged
+    assert start.flags.writeable
+
+
+@pytest.mark.parametrize(
+    ("reached", "desired", "sentence"),
+    [
+        (np.eye(3), np.eye(4), r"reached takes shape \(\.\.\., 4, 4\), got \(3, 3\)"),
+        (np.eye(4), np.zeros(4), r"desired takes shape \(\.\.\., 4, 4\), got \(4,\)"),
+        (np.zeros((2, 4, 4)), np.zeros((3, 4, 4)), r"desired takes a batch that fits \(2,\), got \(3,\)"),
+    ],
+)
+def test_displacements_of_what_are_no_transforms_are_refused_with_a_sentence(reached: Any, desired: Any, sentence: str):
+    with pytest.raises(ChainError, match=sentence):
+        displacement(reached, desired)

@@ -131,12 +131,27 @@ def test_a_result_is_written_where_asked():
     np.testing.assert_allclose(one, jacobian(chain, q[0, 0], "tool"), rtol=0, atol=1e-14)
 
 
+READ_ONLY = np.empty((6, 6))
+READ_ONLY.flags.writeable = False
+
+
 @pytest.mark.parametrize(
-    "out", [np.empty((6, 5)), np.empty((6, 6), dtype=np.float32), np.empty((6, 12))[:, ::2], np.empty((1, 6, 6))]
+    ("out", "found"),
+    [
+        (np.empty((6, 5)), r"float64 of shape \(6, 5\)"),
+        (np.empty((1, 6, 6)), r"float64 of shape \(1, 6, 6\)"),
+        (np.empty((6, 6), dtype=np.float32), r"float32 of shape \(6, 6\)"),
+        (np.empty((6, 6), dtype=">f8"), r">f8 of shape \(6, 6\)"),
+        (np.empty((6, 12))[:, ::2], "strides that are not C-contiguous"),
+        (READ_ONLY, "a read-only one"),
+        ([[0.0] * 6] * 6, "a list"),
+    ],
 )
-def test_an_unfit_output_array_is_refused_with_a_sentence(out: Any):
-    with pytest.raises(ChainError, match=r"out takes C-contiguous float64 of shape \(6, 6\), got float"):
-        jacobian(PUMA.chain(), np.zeros(6), out=out)
+@pytest.mark.parametrize("point", [None, "origin"])
+def test_an_unfit_output_array_is_refused_with_a_sentence(out: Any, found: str, point: Any):
+    sentence = rf"out takes a writable, C-contiguous array, float64 of shape \(6, 6\), got {found}$"
+    with pytest.raises(ChainError, match=sentence):
+        jacobian(PUMA.chain(), np.zeros(6), out=out, point=point)
 
 
 def test_an_unknown_frame_is_refused_with_a_sentence():
@@ -198,7 +213,7 @@ def test_a_result_elsewhere_is_written_where_asked():
     chain, q, out = PUMA.chain(), np.full((3, 6), 0.3), np.full((3, 6, 6), np.nan)
     assert jacobian(chain, q, np.eye(3), out, point="origin") is out
     np.testing.assert_array_equal(out, jacobian(chain, q, point="origin"))
-    with pytest.raises(ChainError, match=r"out takes C-contiguous float64 of shape \(3, 6, 6\), got float64"):
+    with pytest.raises(ChainError, match=r"float64 of shape \(3, 6, 6\), got float64 of shape \(2, 6, 6\)"):
         jacobian(chain, q, point="origin", out=out[:2])
 
 

@@ -13,7 +13,7 @@ import pytest
 from kinegrade.grader import maps
 from kinegrade.grader.maps import FigureError, describe, figure, joint_map, save
 from kinegrade.solutions import workspace
-from kinegrade.solutions.robots import ROBOTS, Robot
+from kinegrade.solutions.robots import ROBOTS, Factor, Robot
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.text import Text
@@ -58,7 +58,7 @@ def test_every_robot_has_its_panels_and_names_its_factors(name):
     assert len(picture.axes) == (2 if mapped(name).det is None else 3)  # seven joints have no determinant
     legends = _texts(picture).replace("\n", " ")
     for curve, _ in mapped(name).curves:
-        assert curve in legends
+        assert re.sub(r"\|([a-z])(\d)\|", r"$|\1_\2|$", curve) in legends
 
 
 @pytest.mark.parametrize("name", ROBOTS)
@@ -81,11 +81,34 @@ def test_nothing_is_drawn_beyond_the_paper(name):
         ("three_axis", r"a_2\,a_3\,c_{3}\,(a_3\,c_{23}-a_2\,s_{2})"),
         ("rrt_spherical", r"-q_3^2\,s_{2}"),
         ("rrt_offset", r"-q_3\,(a_1+q_3\,s_{2})"),
+        ("rrt_scara", r"-a_1\,a_2\,s_{2}"),
+        ("rpp_cylindrical", "q_3"),
+        ("scara", r"a_1\,a_2\,s_{2}"),
+        ("stanford", r"-q_3^2\,s_{2}"),
+        ("articulated_6r", r"a_2\,a_3\,s_{5}\,s_{3}\,(a_2\,c_{2}+a_3\,c_{23}+a_4\,c_{234})"),
+        ("ur5", r"a_2\,a_3\,s_{5}\,s_{3}\,(a_2\,c_{2}+a_3\,c_{23}+d_5\,s_{234})"),
         ("puma560", r"-a_2\,(a_3\,s_{3}+d_4\,c_{3})\,(a_2\,c_{2}+a_3\,c_{23}-d_4\,s_{23})"),
     ],
 )
 def test_the_title_prints_the_determinant(name, formula):
     assert rf"$\det\mathbf{{A}}={formula}$" in _texts(drawn(name))
+
+
+@pytest.mark.usefixtures("coarse")
+@pytest.mark.parametrize("change", [{"constant": "2*l1*l2"}, {"factors": (Factor("elbow", "sin(q2)^2"),)}])
+def test_a_determinant_that_is_not_the_stated_product_has_no_formula(change):
+    assert r"\det\mathbf{A}=l" not in _texts(figure(replace(ROBOTS["planar_2r"], **change)))
+
+
+@pytest.mark.usefixtures("coarse")
+def test_an_arm_with_a_link_of_no_length_is_drawn_without_a_formula():
+    assert r"\det\mathbf{A}=l" not in _texts(figure(ROBOTS["planar_3r"], {"l2": 0.0}))
+
+
+@pytest.mark.parametrize("name", ["rrt_offset", "puma560", "ur5"])
+def test_a_length_in_a_legend_is_typeset(name):
+    assert re.search(r"\$\|d_\d\|\$", _texts(drawn(name)))
+    assert not re.search(r"\|d\d\|", _texts(drawn(name)))
 
 
 def test_the_pumas_map_draws_both_elbow_lines_over_its_whole_width():

@@ -162,6 +162,12 @@ def test_joints_off_the_way_are_not_looked_at():
             {},
             "takes finite numbers in the limit lower, got 'nan'",
         ),
+        (
+            robot(joint("j", "a", "b", inside="<origin xyz='1_0 0 0'/>"), links="ab"),
+            {},
+            "joint j takes finite numbers in xyz, got '1_0'",
+        ),
+        (robot(joint("j", "a", "b"), links="abb"), {}, "links take names of their own, got b twice"),
         ("<robot><joint type='fixed'/></robot>", {}, "a joint takes a name, got none"),
         ("<robot><link/></robot>", {}, "a link takes a name, got none"),
         ("<robot><joint name='j' type='fixed'/></robot>", {}, "joint j takes a parent link, got none"),

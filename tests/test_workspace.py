@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 from kinegrade.solutions.robots import ROBOTS
 from kinegrade.solutions.singularity import arm
-from kinegrade.solutions.workspace import LIMITS, Curve, meridian, reach, section
+from kinegrade.solutions.workspace import LIMITS, SINGULAR, Curve, meridian, reach, section
 
+SPANNED_BY_MORE = ("planar_3r", "articulated_6r", "ur5", "panda")  # by three, three, four and five joints
 SECTIONS = {name: section(robot) for name, robot in ROBOTS.items()}
 
 
@@ -55,7 +56,7 @@ def test_curves_are_images_of_their_configurations_within_the_limits(name: str) 
             np.testing.assert_allclose(curve.points, meridian(part.chain, curve.q), atol=1e-12)
 
 
-@pytest.mark.parametrize("name", [name for name, cut in SECTIONS.items() if cut.curves])
+@pytest.mark.parametrize("name", SECTIONS)
 def test_every_rim_of_the_cells_lies_on_a_boundary_curve(name: str) -> None:
     """The cells know nothing of the curves: where they end, a curve marked as boundary must pass."""
     cut = SECTIONS[name]
@@ -68,7 +69,7 @@ def test_every_rim_of_the_cells_lies_on_a_boundary_curve(name: str) -> None:
         rim = rim[rim[:, 0] > 2 * size]  # axis 1 ends the half plane, not the workspace
     walls = np.concatenate([curve.points[curve.boundary] for curve in cut.curves])
     gap = np.linalg.norm(rim[:, None] - walls, axis=-1).min(axis=1)
-    assert gap.max() < 4 * size
+    assert gap.max() < (1 if name in SPANNED_BY_MORE else 4) * size
 
 
 @pytest.mark.parametrize("name", ROBOTS)
@@ -82,12 +83,13 @@ def test_boundary_curves_have_empty_cells_beside_them(name: str) -> None:
         assert np.count_nonzero(~near[row, column] & curve.boundary) <= 1  # where it ceases to be one
 
 
-def test_sections_that_two_joints_span_have_curves_and_a_scaras_last_joint_spans_nothing() -> None:
-    assert {name for name, cut in SECTIONS.items() if not cut.curves} == {"planar_3r", "articulated_6r", "ur5", "panda"}
+def test_every_section_has_curves_and_a_scaras_last_joint_spans_nothing() -> None:
+    assert all(cut.curves for cut in SECTIONS.values())
+    assert {name for name in SECTIONS if _named(name, SINGULAR)} == set(SPANNED_BY_MORE)
     assert {curve.name for curve in SECTIONS["scara"].curves} == {ROBOTS["scara"].factors[0].name, LIMITS}
 
 
-@pytest.mark.parametrize("name", [name for name, cut in SECTIONS.items() if not cut.curves])
+@pytest.mark.parametrize("name", SPANNED_BY_MORE)
 def test_a_section_that_more_joints_span_has_no_holes_and_ends_at_the_reach(name: str) -> None:
     cut = SECTIONS[name]
     reached = ~np.isnan(cut.cells)
@@ -147,3 +149,23 @@ def test_the_cells_hold_the_largest_sigma_min_and_vanish_at_the_rim() -> None:
 def test_a_robot_without_factors_has_its_joint_limit_curves_only() -> None:
     bare = replace(ROBOTS["rrt_offset"], factors=())
     assert {curve.name for curve in section(bare).curves} == {LIMITS}
+
+
+@pytest.mark.parametrize("scale", [1e-6, 1e6])
+@pytest.mark.parametrize("name", ["rrt_offset", "puma560", "articulated_6r"])
+def test_the_unit_of_length_decides_nothing(name: str, scale: float) -> None:
+    robot, cut = ROBOTS[name], SECTIONS[name]
+    limits = tuple(
+        (scale * low, scale * high) if kind == "P" else (low, high)
+        for (low, high), kind in zip(robot.limits, robot.kinds, strict=True)
+    )
+    other = replace(robot, parameters={key: scale * value for key, value in robot.parameters.items()}, limits=limits)
+    again = section(other)
+    assert arm(other).point == arm(robot).point
+    np.testing.assert_allclose(np.divide(reach(other), scale), reach(robot), rtol=0, atol=1e-9)
+    np.testing.assert_allclose(np.divide(again.extent, scale), cut.extent, rtol=0, atol=1e-6)
+    assert np.count_nonzero(np.isnan(again.cells) != np.isnan(cut.cells)) <= 0.001 * cut.cells.size
+    for curve, twin in zip(again.curves, cut.curves, strict=True):
+        assert curve.name == twin.name
+        np.testing.assert_allclose(curve.points / scale, twin.points, rtol=0, atol=1e-6)
+        assert np.count_nonzero(curve.boundary != twin.boundary) <= 3
