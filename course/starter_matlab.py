@@ -13,6 +13,8 @@ from .escape import printable
 
 Pair = tuple[Exercise, dict[str, Any]]
 WIDTH = 100
+LONG = 72  # of a matrix, beside its name and unit
+NEWLINE = "\n"
 UNREADABLE = ("$", "\\", "|", "](", "<")  # formulas, tables, links and markup: those are read in the notebook
 EXAMPLE = "{'q1 + pi', 0.25, 'd1', 'pi/3'; ...}"
 
@@ -65,7 +67,19 @@ def _given(exercise: Exercise, v: dict[str, Any]) -> Iterator[str]:
     for name, unit in exercise.units.items():
         if name in v:
             units = ", ".join(dict.fromkeys(_units(unit)))
-            yield f"{exercise.slug}_{name} = {literal(v[name])};  % [{_one_line(units)}]"
+            yield _continued([f"{exercise.slug}_{name} = ", *_pieces(v[name]), f";  % [{_one_line(units)}]"])
+
+
+def _pieces(value: Any) -> list[str]:
+    """A value as MATLAB writes it; the rows of a matrix that is too long for one line each in a piece."""
+    text = literal(value.tolist() if hasattr(value, "tolist") else value)
+    return re.split(r"(?<=;) ", text) if len(text) > LONG and re.fullmatch(r"\[[^'{]*\]", text) else [text]
+
+
+def _continued(pieces: Sequence[str]) -> str:
+    """The head, pieces and end of a statement, over several lines where there is more than one piece."""
+    head, *middle, end = pieces
+    return f"{head}{f' ...{NEWLINE}    '.join(middle)}{end}"
 
 
 def _units(unit: Any) -> Iterator[str]:
@@ -168,13 +182,17 @@ def _function(name: str, answer: Function, v: Any) -> Iterator[str]:
         return
     yield from _comment(f"Results of {name}{answer.signature} for the arguments in each cell of {name}_inputs:")
     yield f"{name}_inputs = {{ ..."
-    yield from (f"    {{{', '.join(map(_argument, call))}}}; ..." for call in calls)
+    yield from map(_call, calls)
     yield "};"
     yield f"{name} = cell(1, {len(calls)});  % {name}{{k}} = result for {name}_inputs{{k}}{{:}}"
 
 
-def _argument(value: Any) -> str:
-    return literal(value.tolist() if hasattr(value, "tolist") else value)
+def _call(arguments: Sequence[Any]) -> str:
+    pieces = [_pieces(argument) for argument in arguments]
+    if all(len(piece) == 1 for piece in pieces):
+        return f"    {{{', '.join(text for (text,) in pieces)}}}; ..."
+    lines = [line for piece in pieces for line in (*piece[:-1], f"{piece[-1]},")]
+    return _continued(["    {", *lines[:-1], lines[-1][:-1], "}; ..."])
 
 
 def _manual(name: str, _: Manual, __: Any) -> Iterator[str]:

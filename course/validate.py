@@ -1,8 +1,9 @@
 """Proof that an exercise can be solved, marked and told apart from nonsense and from its known mistakes."""
 
 import json
+import os
 import time
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, replace
 from multiprocessing import get_context
@@ -13,7 +14,7 @@ import numpy as np
 
 from ..exercises.answers import Manual, Numbers
 from ..exercises.catalogue import exercise_files, find, load
-from ..exercises.exercise import Exercise, solve
+from ..exercises.exercise import Exercise, ExerciseError, solve
 from ..grader.answer_key import AnswerKey
 from ..grader.handed_in import handed_in, rounded
 from ..grader.mark import mark, mark_part
@@ -23,6 +24,7 @@ from .nonsense import NONSENSE
 from .notebook import notebooks, worked_steps
 from .variant import canonical
 
+KINDS = ("solve", "full marks", "nonsense", "mistakes", "printable", "render", "variants")
 LARGEST = 1e5  # a number that is still printed and typed with pleasure
 RENDERED = 2  # draws whose sheets are made in full, with figures
 CHUNK = 20  # draws that one process looks at in one go
@@ -76,14 +78,11 @@ def summary(validation: Validation) -> Iterator[str]:
         yield f"{kind}{f', {part}' if part else ''}, {often}: {failures[0].sentence}"
 
 
-KINDS = ("solve", "full marks", "nonsense", "mistakes", "printable", "render", "variants")
-
-
-def validate(paths: Sequence[Path], seeds: int, step: Any = lambda: None, processes: int = 2) -> list[Validation]:
+def validate(paths: Sequence[Path], seeds: int, step: Callable[[], None] = lambda: None) -> list[Validation]:
     """A validation for every exercise file, in order; `step` is called after each chunk of draws."""
     chunks = [(path, range(seeds)[start : start + CHUNK]) for path in paths for start in range(0, seeds, CHUNK)]
     found: dict[Path, list[tuple[Validation, list[str]]]] = {path: [] for path in paths}
-    with ProcessPoolExecutor(processes, mp_context=get_context("spawn")) as pool:  # typst does not survive a fork
+    with ProcessPoolExecutor(os.cpu_count(), mp_context=get_context("spawn")) as pool:  # typst does not survive a fork
         for (path, _), result in zip(chunks, pool.map(_look_at, *zip(*chunks, strict=True)), strict=True):
             found[path].append(result)
             step()
@@ -115,7 +114,10 @@ def _together(results: Sequence[tuple[Validation, list[str]]]) -> Validation:
 
 def _look_at(path: Path, seeds: Iterable[int]) -> tuple[Validation, list[str]]:
     """What some draws show, and the drawn numbers as text."""
-    exercise = load(path)
+    try:
+        exercise = load(path)
+    except ExerciseError as error:
+        return Validation(path.stem, 0, 0, 0, 0.0, (Failure("solve", 0, "", str(error)),)), []
     failures, drawn, seconds = list[Failure](), list[str](), 0.0
     for seed in seeds:
         try:

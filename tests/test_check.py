@@ -216,6 +216,7 @@ def test_a_wrong_function_is_told_in_practice_group_by_group(tmp_path):
 def test_published_results_are_checked_with_the_sheets_own_numbers(tmp_path):
     exercise, part, v = hiding_function()
     assert isinstance(part.answer, Function)
+    assert part.answer.published
     sheet = tmp_path / "sheet.ipynb"
     sheet.write_bytes(notebook(about=about("practice", exercise.slug)))
     function = references(exercise, v)[part.variable]

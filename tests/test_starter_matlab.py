@@ -12,7 +12,7 @@ from kinegrade.exercises.catalogue import exercise_files, find
 from kinegrade.exercises.exercise import Exercise, Numbers, Part, TableOf
 
 ADA = Student("ada", "Ada Lovelace")
-CODE = re.compile(r"[A-Za-z]\w* = .*;  %.*|\w+ = \S.*;|\w+_inputs = \{ \.\.\.|    .*|\};|save\(.*", re.ASCII)
+CODE = re.compile(r"[A-Za-z]\w* = .*;  %.*|\w+ = \S.*;|\w+ = [\[{].* \.\.\.|    .*|\};|save\(.*", re.ASCII)
 
 
 def sheet(name="one"):
@@ -123,6 +123,19 @@ def test_numbers_have_the_names_and_units_of_the_notebook():
     assert "\nex_d1 = 0.5;  % [m]\nex_q = [0.1, -0.2];  % [rad, m]\n" in text
     assert "hidden" not in text
     assert "ex_a1" not in text
+
+
+def test_a_matrix_that_is_too_long_for_a_line_has_a_line_for_every_row():
+    row = [0.123456 + i for i in range(9)]
+    shown = ", ".join(map(repr, row))
+    text = script(Numbers((2,)), v={"J": [row, row, row]}, units={"J": "m"})
+    assert f"\nex_J = [{shown}; ...\n    {shown}; ...\n    {shown}];  % [m]\n" in text
+    function = Function("(J, kinds)", lambda _: {}, published=lambda _: {"one": [([row, row], "R; P"), ([1.0], "R")]})
+    assert (
+        "ex_0_inputs = { ...\n"
+        f"    {{[{shown}; ...\n    {shown}], ...\n    'R; P'}}; ...\n"
+        "    {[1.0], 'R'}; ...\n};\n"
+    ) in script(function)
 
 
 def test_a_statement_with_formulas_is_left_to_the_notebook():

@@ -69,6 +69,13 @@ def test_the_command_prints_a_table_and_exits_by_what_it_found(tmp_path, kinegra
     assert data[0]["failures"][0]["kind"] == "nonsense"
 
 
+def test_a_file_that_cannot_be_loaded_is_a_failure_and_stops_no_other(tmp_path):
+    (tmp_path / "broken.py").write_text("EXERCISE = 1 / 0\n", encoding="utf-8")
+    broken, sound = validate([tmp_path / "broken.py", lever_file(tmp_path)], 2)
+    assert "stopped with ZeroDivisionError" in broken.failures[0].sentence
+    assert sound.failures == ()
+
+
 def test_an_unknown_exercise_is_named(tmp_path, kinegrade):
     ran = kinegrade("validate", "levr", "--course", make_course(tmp_path / "course"))
     assert ran.code == 1
