@@ -104,13 +104,13 @@ def _wrong_entries(right: Any) -> str:
         return ""
     places = "; ".join(entry_name(tuple(map(int, where))) for where in wrong[:MOST_PLACES])
     more = f" and {len(wrong) - MOST_PLACES} more" if len(wrong) > MOST_PLACES else ""
-    return f"{mask.size - len(wrong)} of {mask.size} entries are right, not these: {places}{more}."
+    return f"{mask.size - len(wrong)} of {mask.size} entries right, not these: {places}{more}."
 
 
 def _told(verdict: Verdict) -> Remark:
     """All of a verdict but the reference: status, reading, findings, and which entries are right."""
     findings = (finding.text for finding in verdict.findings if not finding.private)
-    texts = [_wrong_entries(verdict.right), verdict.reading, *findings]
+    texts = [verdict.reading, *findings, _wrong_entries(verdict.right)]
     said = " ".join(text for text in texts if text)
     words = STATUS_WORDS[verdict.status]
     ok = verdict.status in ("correct", "not_graded")  # what waits for somebody else is not to be looked at again

@@ -14,6 +14,7 @@ from ..solutions.expression import Expression
 from ..solutions.expression_array import SAME, ExpressionArray, same_formulas, sampled
 from .answer_key import AnswerKey, Mask, Wanted
 from .compare import compare
+from .unreadable import entry_name
 from .verdict import Finding
 
 Array = NDArray[np.float64]
@@ -144,18 +145,15 @@ def _signs(reference: Array, value: Array, allowed: Array, right: NDArray[np.boo
 
 def _flipped(flipped: NDArray[np.bool_], wrong: NDArray[np.bool_]) -> Iterator[Finding]:
     if flipped.any() and (flipped == wrong).all() and wrong.sum() <= max(3, wrong.size // 4):
-        places = ", ".join(_place(where) for where in np.argwhere(flipped)[:3])
-        yield Finding(f"Only a sign is wrong{f': {places}' if places else ''}.")
+        yield Finding(f"Only a sign is wrong{f': {_places(flipped)}' if flipped.ndim else ''}.")
 
 
-def _place(where: NDArray[np.intp]) -> str:
-    numbers = [int(i) + 1 for i in where]
-    if not numbers:
-        return ""
-    if len(numbers) == 1:
-        return f"entry {numbers[0]}"
-    matrix = f"matrix {numbers[0]}, " if len(numbers) == 3 else ""
-    return f"{matrix}row {numbers[-2]}, column {numbers[-1]}"
+def _places(flipped: NDArray[np.bool_]) -> str:
+    """Entries in words, a whole column as one."""
+    columns = sorted({int(where[-1]) for where in np.argwhere(flipped)})
+    if flipped.ndim == 2 and len(columns) == 1 and flipped.sum() > 1:
+        return f"column {columns[0] + 1}"
+    return "; ".join(entry_name(tuple(map(int, where))) for where in np.argwhere(flipped)[:3])
 
 
 _FINDINGS: dict[type, Callable[..., Iterator[Finding]]] = {Numbers: _of_numbers, Formulas: _of_formulas}

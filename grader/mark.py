@@ -49,7 +49,7 @@ def mark(
     """
     sheet = _Sheet(key or AnswerKey(exercise, v), {}, {}, {})
     for part in exercise.asked:
-        raw = raws.get(part.variable, Raw("missing"))
+        raw = _present(raws.get(part.variable, Raw("missing")))
         if isinstance(part.answer, Manual):
             sheet.verdicts[part.variable] = _by_hand(part, raw, v)
             continue
@@ -101,6 +101,12 @@ def _by_hand(part: Part, raw: Raw, v: Variant) -> Verdict:
     return replace(not_graded(part.variable, part.points, BY_HAND), answer=text)
 
 
+def _present(raw: Raw) -> Raw:
+    """The raw value, where blank text is as good as nothing."""
+    blank = raw.kind == "text" and isinstance(raw.value, str) and not raw.value.strip()
+    return Raw("missing") if blank else raw
+
+
 def _read_as(part: Part, raw: Raw, answer: Any) -> str:
     """How a number that was typed as text with a unit was read."""
     if not isinstance(part.answer, Numbers) or part.answer.shape or raw.kind != "text":
@@ -122,7 +128,8 @@ def _unreadable(part: Part, raw: Raw, sentence: str) -> Verdict:
     if sentence.startswith(UNANSWERED):  # a function as it was handed out
         return Verdict(part.variable, "missing", 0.0, part.points, (Finding("The function returns nothing."),))
     said, *typed = sentence[:MOST_TEXT].split("\n")
-    said = f"In your file: {said}." if raw.kind == "error" else f"{said[:1].upper()}{said[1:]}."
+    stop = "" if said.endswith(("?", ".")) else "."
+    said = f"In your file: {said}{stop}" if raw.kind == "error" else f"{said[:1].upper()}{said[1:]}{stop}"
     text = "\n".join([said, *typed])
     return Verdict(part.variable, "failed", 0.0, part.points, (Finding(text),))
 

@@ -54,9 +54,10 @@ def read(answer: Answer, raw: Raw, v: Variant) -> Any:
 
 
 def _choice(answer: Choice, raw: Raw, _: Variant) -> str:
-    text = str(raw.value).strip() if raw.kind == "text" and isinstance(raw.value, str) else ""
+    text = f"{raw.value.item():g}" if raw.kind == "num" and raw.value.size == 1 else str(raw.value).strip()
     for letter, option in zip(answer.letters, answer.options, strict=True):
-        if text.lower().strip("().: ") == letter or text == option:
+        ways = {letter, option.lower(), f"{letter}) {option.lower()}"}
+        if {text.lower(), text.lower().strip("().: ")} & ways:
             return letter
     got = "a number" if raw.kind == "num" else repr(clip(raw.value))
     raise Unreadable(f"takes one of the letters {', '.join(answer.letters)} in quotes, got {got}")

@@ -173,6 +173,12 @@ def plain_text(value, most, depth=2):
     return text
 
 
+def without_dust(value):
+    """A sympy expression where np.pi / 2 left 6e-17 in the place of a zero."""
+    dust = [number for number in value.atoms() if getattr(number, "is_Float", False) and abs(number) < 1e-12]
+    return value.xreplace(dict.fromkeys(dust, 0)) if dust else value
+
+
 def entry(value):
     """Strings as they are, numbers as their shortest exact text, sympy's Eq(a, b) as a = b, all else as str()."""
     if isinstance(value, str):
@@ -181,7 +187,7 @@ def entry(value):
         return repr(float(value))
     if getattr(value, "rel_op", "") == "==":
         return f"{value.lhs} = {value.rhs}"
-    return str(value)
+    return str(without_dust(value) if hasattr(value, "xreplace") else value)
 
 
 def encode_asked(value, calls):

@@ -17,8 +17,8 @@ def tolerance(
 ) -> NDArray[np.float64]:
     """Allowed absolute error of every entry of numbers, in the entry's own unit; `reference` follows from `given`.
 
-    The worst change of the answer over 64 roundings of what the part needs, times 1.5, plus half a unit of the last
-    asked decimal; never below 1e-9 of the block's scale and never above 0.02 of it.
+    The worst change of the answer over 64 roundings of what the part needs, times 1.5, plus a unit of the last asked
+    decimal, so that cutting off is as good as rounding; at least 1e-9 of the block's scale, at most 0.02 of it.
     """
     answer = part.answer
     if not isinstance(answer, Numbers):
@@ -28,8 +28,8 @@ def tolerance(
     block = block_scale(answer, reference, exercise.scale(v))
     half = 0.5 * 10.0**-answer.decimals
     spread = _spread(exercise.slug, part, v, given, half, reference)
-    # A value rounded to the asked decimals is off by half a unit and a rounding error of binary fractions.
-    return np.clip(1.5 * spread + 1.001 * half, FLOOR * block, CAP * block)
+    # A value cut off at the asked decimals is off by a unit and a rounding error of binary fractions.
+    return np.clip(1.5 * spread + 2.002 * half, FLOOR * block, CAP * block)
 
 
 def _spread(

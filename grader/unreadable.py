@@ -24,6 +24,7 @@ def misread(error: ExpressionError, where: str = "") -> Unreadable:
 def entry_name(where: tuple[int, ...]) -> str:
     """Place of an entry (indices from 0) in words."""
     numbers = [i + 1 for i in where]
-    if len(numbers) == 2:
-        return f"row {numbers[0]}, column {numbers[1]}"
-    return f"entry {', '.join(map(str, numbers))}" if numbers else ""
+    if len(numbers) < 2:
+        return f"entry {numbers[0]}" if numbers else ""
+    matrix = f"matrix {numbers[-3]}, " if len(numbers) > 2 else ""
+    return f"{matrix}row {numbers[-2]}, column {numbers[-1]}"

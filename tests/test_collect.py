@@ -410,3 +410,8 @@ def test_the_runner_has_the_limits_of_the_wire():
 def test_where_notebooks_cannot_run_a_sentence_says_so(monkeypatch):
     monkeypatch.setattr("kinegrade.grader.collect.resource", None)
     assert "notebooks are marked on Linux" in run("x = 1")["x"].value
+
+
+def test_sympy_with_the_dust_of_floats_is_read_as_meant():
+    code = "import sympy as sp\nq1 = sp.Symbol('q1')\nx = sp.Matrix([[sp.sin(q1) * np.cos(np.pi / 2), sp.cos(q1)]])"
+    assert collect(notebook("import numpy as np", code), [Ask("x")])["x"].value == [["0", "cos(q1)"]]

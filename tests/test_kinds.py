@@ -131,7 +131,7 @@ def test_a_name_that_the_variant_lacks_is_unknown():
 CHOICE = Part("t_x", "x?", 2, Choice(("red", "green", "blue")), lambda *_: "b")
 
 
-@pytest.mark.parametrize("text", ["b", "B", "(b)", " b) ", "green"])
+@pytest.mark.parametrize("text", ["b", "B", "(b)", " b) ", "green", "b) green", "Green"])
 def test_a_choice_is_its_letter_or_its_text(text):
     assert verdict(CHOICE, text).points == 2
 
@@ -141,7 +141,7 @@ def test_another_choice_is_wrong(text):
     assert (verdict(CHOICE, text).status, verdict(CHOICE, text).points) == ("incorrect", 0)
 
 
-@pytest.mark.parametrize("raw", ["d", "", "ab", "a or b", np.array(2.0), [["b"]]])
+@pytest.mark.parametrize("raw", ["d", "ab", "a or b", np.array(2.0), [["b"]]])
 def test_what_is_no_choice_is_refused(raw):
     found = verdict(CHOICE, raw)
     assert found.status == "failed"
@@ -322,3 +322,8 @@ def test_numbers_follow_from_the_own_formulas():
 def test_how_a_typed_number_was_read_is_said():
     assert verdict(LENGTH, "400 mm").reading == "Read as 0.4 m."
     assert verdict(LENGTH, np.array(0.4)).reading == ""
+
+
+@pytest.mark.parametrize("part", [CHOICE, LENGTH, formulas()])
+def test_blank_text_is_no_answer(part):
+    assert verdict(part, " \n").status == "missing"

@@ -23,7 +23,7 @@ RIGHT = [["q1", "d1", "a1", "-pi/2"], ["q2", 0, 0, "pi/2"], [0, "q3", 0, 0]]
         ((6,), np.ones(5), "takes shape (6,), got (5,)"),
         ((2, 2), [[1, np.nan], [1, 1]], "row 1, column 2"),
         ((2, 2), [[1, 1], [np.inf, 1]], "row 2, column 1"),
-        ((1, 2, 2), [[[1, 1], [1, np.nan]]], "entry 1, 2, 2"),
+        ((1, 2, 2), [[[1, 1], [1, np.nan]]], "matrix 1, row 2, column 2"),
     ],
 )
 def test_numbers_of_the_wrong_shape_or_not_finite_are_refused(asked, given, words):

@@ -20,9 +20,9 @@ def allowed_for(asked, given=None, scale=1.0):
     return tolerance(exercise, asked, {}, given, asked.solve({}, given))
 
 
-def test_a_part_that_needs_nothing_allows_half_a_unit_of_the_last_decimal():
+def test_a_part_that_needs_nothing_allows_a_unit_of_the_last_decimal():
     asked = part(Numbers((2,), "m", decimals=3), lambda *_: np.array([1.0, 0.2]))
-    np.testing.assert_allclose(allowed_for(asked), 0.5e-3, rtol=2e-3)
+    np.testing.assert_allclose(allowed_for(asked), 1e-3, rtol=2e-3)
 
 
 def test_an_ill_conditioned_part_allows_what_rounding_its_needs_moves():

@@ -50,7 +50,8 @@ def test_the_same_secret_draws_the_same_record(exercise):
     assert draw_record(SECRET, "one", "ada", exercise, ()) == draw_record(SECRET, "one", "ada", exercise, ())
 
 
-def test_no_two_of_150_students_get_the_same_numbers(exercise):
+def test_no_two_of_150_students_get_the_same_numbers(exercise, monkeypatch):
+    monkeypatch.setattr("kinegrade.course.variant.fingerprint", lambda *_: {})  # numbers alone matter here
     taken = set()
     for i in range(150):
         taken.add(canonical(draw_record(SECRET, "one", f"s{i}", exercise, taken).numbers))
