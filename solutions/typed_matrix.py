@@ -154,7 +154,9 @@ def _check_spaces(entry: Sequence[Token], text: str, python: bool) -> None:
             continue
         opens = following.text in ("(", "√") and token.kind != "name"
         if opens or following.kind in ("number", "name"):
-            raise ExpressionError("entries take commas between them and products a *, as in [[a, 2*b], [c, d]]", following.offset)
+            raise ExpressionError(
+                "entries take commas between them and products a *, as in [[a, 2*b], [c, d]]", following.offset
+            )
         if (
             following.text in ("+", "-")
             and not python
