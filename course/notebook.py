@@ -10,7 +10,7 @@ import nbformat
 import numpy as np
 
 from ..exercises.drawing import Drawing
-from ..exercises.exercise import Choice, Exercise, Manual, Numbers, Part, Step, references
+from ..exercises.exercise import Choice, Conditions, Configurations, Exercise, Manual, Numbers, Part, Step, references
 from ..grader.arm import draw
 from ..grader.raster import data_uri, png
 from ..solutions.expression import latex_name
@@ -117,7 +117,7 @@ def _heading(course: str, sheet: Sheet, student: Student, pairs: Sequence[Pair])
         ),
         (
             "Units are metres, radians and seconds. In every Jacobian and twist the linear rows stand above the "
-            "angular ones."
+            "angular ones. Round only what you hand in, and compute on with all digits."
         ),
     ]
     return "\n\n".join(lines)
@@ -187,6 +187,8 @@ def _prompt(part: Part, *, hints: bool) -> str:
 def _asked(part: Part) -> str:
     if isinstance(part.answer, Numbers) and part.answer.decimals:
         return f" Give {part.answer.decimals} decimals."
+    if isinstance(part.answer, Conditions | Configurations):
+        return " A wrong one costs a right one."
     if isinstance(part.answer, Manual):
         return " On paper, marked by hand." if part.answer.on_paper else " Marked by hand."
     return ""

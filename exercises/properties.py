@@ -37,19 +37,19 @@ def is_right_inverse(J: ArrayLike, X: ArrayLike, tolerance: float) -> bool:
 
 def is_pseudoinverse(J: ArrayLike, X: ArrayLike, tolerance: float) -> bool:
     """Whether X (n, m) meets the four Penrose conditions for J (m, n): J X J = J, X J X = X, J X and X J symmetric."""
-    J, X = np.asarray(J, dtype=float), np.asarray(X, dtype=float)
-    JX, XJ = J @ X, X @ J
-    misses = (J @ XJ - J, (XJ @ X - X) / max(1.0, np.abs(X).max()), JX - JX.T, XJ - XJ.T)
+    A, B = np.asarray(J, dtype=float), np.asarray(X, dtype=float)
+    AB, BA = A @ B, B @ A
+    misses = (A @ BA - A, (BA @ B - B) / max(1.0, np.abs(B).max()), AB - AB.T, BA - BA.T)
     return all(float(np.abs(miss).max()) <= tolerance for miss in misses)
 
 
 def spans_null_space(J: ArrayLike, N: ArrayLike, tolerance: float) -> bool:
     """Whether the columns of N (n, k) are a basis of the null space of J (m, n): projectors are compared, not bases."""
-    J, N = np.asarray(J, dtype=float), np.asarray(N, dtype=float).reshape(np.shape(J)[1], -1)
-    if np.linalg.matrix_rank(N, 1e-6) < N.shape[1]:
+    A, basis = np.asarray(J, dtype=float), np.asarray(N, dtype=float).reshape(np.shape(J)[1], -1)
+    if np.linalg.matrix_rank(basis, 1e-6) < basis.shape[1]:
         return False
-    Q, _ = np.linalg.qr(N)
-    _, sizes, V = np.linalg.svd(J)
+    Q, _ = np.linalg.qr(basis)
+    _, sizes, V = np.linalg.svd(A)
     null = V[int((sizes > 1e-9 * sizes[0]).sum()) :].T
     return Q.shape == null.shape and bool(np.abs(Q @ Q.T - null @ null.T).max() <= tolerance)
 
@@ -81,8 +81,8 @@ def listed(
     difference = own[:, None] - all_wanted[None]
     if periodic:
         difference -= TURN * np.round(difference / TURN)
-    same = (np.abs(difference) <= tolerance).all(axis=-1)
-    return same.any(axis=1), same.any(axis=0)
+    same: NDArray[np.bool_] = np.asarray((np.abs(difference) <= tolerance).all(axis=-1))
+    return np.asarray(np.logical_or.reduce(same, axis=1)), np.asarray(np.logical_or.reduce(same, axis=0))
 
 
 def list_share(

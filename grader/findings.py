@@ -50,6 +50,7 @@ PRESENTATIONS = (
 MILLIMETRES = "Lengths are 1000 times too large: metres are asked, not millimetres."
 CENTIMETRES = "Lengths are 100 times too large: metres are asked, not centimetres."
 DEGREES = "Angles are in degrees: radians are asked."
+MOST_PLACES = 3  # of entries with a wrong sign that are named
 NUMBERS_PUT_IN = 5e-3  # numbers of a sheet have two or three decimals
 
 
@@ -153,7 +154,8 @@ def _places(flipped: NDArray[np.bool_]) -> str:
     columns = sorted({int(where[-1]) for where in np.argwhere(flipped)})
     if flipped.ndim == 2 and len(columns) == 1 and flipped.sum() > 1:
         return f"column {columns[0] + 1}"
-    return "; ".join(entry_name(tuple(map(int, where))) for where in np.argwhere(flipped)[:3])
+    more = f" and {flipped.sum() - MOST_PLACES} more" if flipped.sum() > MOST_PLACES else ""
+    return "; ".join(entry_name(tuple(map(int, where))) for where in np.argwhere(flipped)[:MOST_PLACES]) + more
 
 
 _FINDINGS: dict[type, Callable[..., Iterator[Finding]]] = {Numbers: _of_numbers, Formulas: _of_formulas}

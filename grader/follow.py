@@ -26,14 +26,14 @@ def may_be_followed(verdict: Verdict, copied: bool) -> bool:
 
 
 def is_trivial(reference: Any, own: Any) -> bool:
-    """Whether own numbers or formulas are easier than the reference: fewer different ones, or a lower rank."""
+    """Whether own numbers or formulas are easier than the reference: less than half as many, or half the rank."""
     if isinstance(own, ExpressionArray):
         values = sample(sorted(own.names | reference.names), 1)
         own, reference = (np.asarray(array.at(values)).reshape(array.shape) for array in (own, reference))
     if not isinstance(own, np.ndarray):
         return False
     own = cast("NDArray[np.float64]", own)
-    if own.ndim == 2 and np.linalg.matrix_rank(own, 1e-6) < np.linalg.matrix_rank(reference, 1e-6):
+    if own.ndim == 2 and 2 * np.linalg.matrix_rank(own, 1e-6) <= np.linalg.matrix_rank(reference, 1e-6):
         return True
     return 2 * _different_numbers(own) < _different_numbers(reference)
 

@@ -21,6 +21,7 @@ from .verdict import Finding, Verdict, not_graded
 from .wire import Raw
 
 MOST_TEXT = 400  # of a sentence that repeats what a student's process said
+LEAST_FOLLOWED = 0.5  # of the points: fewer entries that agree with other data agree by chance
 BY_HAND = "It is marked by hand."
 log = logging.getLogger(__name__)
 
@@ -116,8 +117,8 @@ def _read_as(part: Part, raw: Raw, answer: Any) -> str:
 
 
 def _with_note(verdict: Verdict, raw: Raw) -> Verdict:
-    """The verdict, with how the cell ended that left a wrong value behind."""
-    if not raw.note or verdict.status not in ("incorrect", "partly"):
+    """The verdict, with how the cell ended that left the value behind."""
+    if not raw.note or verdict.status not in ("correct", "incorrect", "partly"):
         return verdict
     return replace(verdict, findings=(*verdict.findings, Finding(f"In your file: {raw.note[:MOST_TEXT]}.")))
 
@@ -174,7 +175,10 @@ def _follow(sheet: _Sheet, part: Part, answer: Any) -> Verdict | None:
             wanted = key.following(part, given)
             if _is_easier(key, part, wanted):
                 return None
-            verdict = _written(part, judged(key, part, wanted, answer), answer)
+            found = judged(key, part, wanted, answer)
+            if found.share < LEAST_FOLLOWED:
+                return None
+            verdict = _written(part, found, answer)
     except Exception:  # noqa: BLE001 - solve() on a student's data may fail in any way; then nothing follows from it
         return None
     wrong = " and ".join(name for name in own if sheet.verdicts[name].status != "correct")

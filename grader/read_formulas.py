@@ -36,7 +36,8 @@ def read_conditions(answer: Conditions, raw: Raw, v: Variant) -> tuple[Expressio
     """Expressions that are zero where a condition holds. Raises Unreadable."""
     names = names_on_sheet(answer.names, v)
     if raw.kind != "text":
-        raise Unreadable(f"takes a list of conditions in {', '.join(names)}, such as ['sin(q1) = 0'], got numbers")
+        got = "numbers" if raw.kind != "num" or raw.value.size else "nothing"
+        raise Unreadable(f"takes a list of conditions in {', '.join(names)}, such as ['sin(q1) = 0'], got {got}")
     texts, _ = flat_texts(raw.value)  # a file has them in a row or a column
     found: list[Expression] = []
     for text in texts:

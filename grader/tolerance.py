@@ -1,7 +1,5 @@
 """Tolerances from the asked decimals: how far rounding what a part needs can move its answer."""
 
-from typing import Any
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -26,27 +24,32 @@ def tolerance(
     if part.tolerance is not None:
         return np.full(reference.shape, part.tolerance)
     block = block_scale(answer, reference, exercise.scale(v))
-    half = 0.5 * 10.0**-answer.decimals
-    spread = _spread(exercise.slug, part, v, given, half, reference)
+    unit = 10.0**-answer.decimals
     # A value cut off at the asked decimals is off by a unit and a rounding error of binary fractions.
-    return np.clip(1.5 * spread + 2.002 * half, FLOOR * block, CAP * block)
+    return np.clip(1.5 * _spread(exercise, part, v, given, reference) + 1.001 * unit, FLOOR * block, CAP * block)
 
 
 def _spread(
-    slug: str, part: Part, v: Variant, given: Given, half: float, reference: NDArray[np.float64]
+    exercise: Exercise, part: Part, v: Variant, given: Given, reference: NDArray[np.float64]
 ) -> NDArray[np.float64]:
     worst = np.zeros(reference.shape)
-    if not any(isinstance(value, np.ndarray) for value in given.values()):
+    steps = _roundings(exercise, part, given)
+    if not steps:
         return worst
     rng = np.random.default_rng(0)
     for _ in range(DRAWS):
-        rounded = {name: _rounded(value, half, rng) for name, value in given.items()}
-        worst = np.maximum(worst, np.abs(solve(slug, part, v, rounded) - reference))
+        rounded = {name: given[name] + rng.uniform(-h, h, np.shape(given[name])) for name, h in steps.items()}
+        worst = np.maximum(worst, np.abs(solve(exercise.slug, part, v, {**given, **rounded}) - reference))
     return worst
 
 
-def _rounded(value: Any, half: float, rng: np.random.Generator) -> Any:
-    return value + rng.uniform(-half, half, np.shape(value)) if isinstance(value, np.ndarray) else value  # pyright: ignore[reportUnknownVariableType, reportUnknownArgumentType]
+def _roundings(exercise: Exercise, part: Part, given: Given) -> dict[str, float]:
+    """Half a unit of the last decimal to which each needed array is handed in, or this part, whichever is coarser."""
+    assert isinstance(part.answer, Numbers)  # noqa: S101 - a tolerance is for numbers
+    own = part.answer.decimals
+    asked = {other.variable: other.answer.decimals for other in exercise.parts if isinstance(other.answer, Numbers)}
+    arrays = (name for name, value in given.items() if isinstance(value, np.ndarray))
+    return {name: 0.5 * 10.0 ** -min(asked.get(name, own), own) for name in arrays}
 
 
 def block_scale(answer: Numbers, reference: NDArray[np.float64], length: float) -> NDArray[np.float64]:

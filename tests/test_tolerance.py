@@ -16,7 +16,7 @@ def part(answer, solve, **more):
 def allowed_for(asked, given=None, scale=1.0):
     """The tolerance of one part in an exercise of its own."""
     given = given or {}
-    exercise = SimpleNamespace(slug="t", scale=lambda _: scale)
+    exercise = SimpleNamespace(slug="t", scale=lambda _: scale, parts=())
     return tolerance(exercise, asked, {}, given, asked.solve({}, given))
 
 
@@ -75,3 +75,12 @@ def test_every_tolerance_of_every_exercise_is_positive_and_small(exercise):
             block = block_scale(asked.answer, answers[asked.variable], exercise.scale(v))
             assert (allowed > 0).all()
             assert asked.tolerance or (allowed <= CAP * block).all()
+
+
+def test_a_need_is_rounded_to_its_own_decimals_where_they_are_fewer():
+    coarse = part(Numbers((2, 2), decimals=2), lambda *_: np.eye(2))
+    fine = Part("t_y", "y?", 1, Numbers((2,), decimals=5), lambda _, given: given["t_x"] @ [1.0, 1.0], needs=("t_x",))
+    exercise = SimpleNamespace(slug="t", scale=lambda _: 1.0, parts=(coarse, fine))
+    given = {"t_x": np.eye(2)}
+    allowed = tolerance(exercise, fine, {}, given, fine.solve({}, given))
+    assert (allowed > 0.005).all()
