@@ -49,7 +49,7 @@ class ByHand:
 
 def answer_id(answer: Any) -> str:
     """A short name of what was handed in for a part; nothing has one too."""
-    return digest(str(answer or "").encode())[:8]
+    return digest(str(answer or "").encode(errors="replace"))[:8]
 
 
 def with_marks(
@@ -185,8 +185,11 @@ def _rows(path: Path) -> Iterator[tuple[int, dict[str, str]]]:
     missing = [name for name in NEEDED if name not in (reader.fieldnames or ())]
     if missing:
         raise CourseError(f"{path}: the column {missing[0]!r} is missing; `kinegrade marks write` has all columns")
-    for row in reader:
-        yield reader.line_num, {key: value or "" for key, value in row.items() if key}
+    try:
+        for row in reader:
+            yield reader.line_num, {key: value or "" for key, value in row.items() if key}
+    except csv.Error as error:
+        raise CourseError(f"{path}: not a CSV file: {error}") from error
 
 
 def _points(text: str) -> float:

@@ -14,6 +14,7 @@ from markupsafe import Markup
 from ..exercises.exercise import Choice, Exercise, Manual, Part
 from ..grader.verdict import STATUS_WORDS, Verdict
 from .config import Course, Sheet
+from .escape import printable
 from .files import write_atomically
 from .formulas import number, page_text
 from .grading import Result
@@ -67,8 +68,8 @@ def _part(part: Part, verdict: Verdict) -> dict[str, Any]:
 
 def _finding(text: str) -> dict[str, str]:
     """The sentence, and the typed lines with a caret that may follow it."""
-    sentence, _, typed = text.partition("\n")
-    return {"sentence": sentence, "typed": typed}
+    sentence, *typed = [printable(line) for line in text.split("\n")]
+    return {"sentence": sentence, "typed": "\n".join(typed)}
 
 
 def _matrices(part: Part, verdict: Verdict) -> list[list[list[dict[str, Any]]]]:

@@ -38,7 +38,17 @@ class Submission:
 
     def raws(self, asks: Sequence[Ask], limits: Limits) -> dict[str, Raw]:
         """The asked values; runs the notebook, or reads the file of matrices."""
-        return READERS[self.path.suffix](self.data, asks, limits)
+        found = READERS[self.path.suffix](self.data, asks, limits)
+        if self.path.suffix == ".ipynb":
+            return found | {ask.name: _called(found[ask.name]) for ask in asks if ask.calls}
+        return found
+
+
+def _called(raw: Raw) -> Raw:
+    """In a notebook a function is asked for; results that are listed there were not computed before our eyes."""
+    if raw.kind in ("num", "text") or raw.listed:
+        return Raw("error", "a function of this name is asked in a notebook, not its results")
+    return raw
 
 
 def _ask(part: Part, v: Variant, *, published: bool) -> Ask:
@@ -92,6 +102,8 @@ def read_submission(path: Path) -> Submission:
     if hindrance:
         raise CourseError(f"{path}: {hindrance}")
     try:
+        if path.is_symlink():
+            raise CourseError(f"{path} is a link; a submission takes a file of its own")
         if path.exists() and not path.is_file():  # a pipe would be waited for
             raise CourseError(f"{path} cannot be read: it is not a file")
         size = path.stat().st_size

@@ -28,15 +28,16 @@ from .exercise import Choice, Exercise, Formulas, Given, Mistake, Numbers, Outco
 
 Array = NDArray[np.float64]
 ROWS = tuple(f"articulated_derivatives_{x}" for x in "xyz")
-POINTS = (
-    (r"$Q$ is a point of the gripper. Seen from $\mathbf p$ it lies 0.12 m along axis 6", "c"),
+POINTS: tuple[tuple[Callable[[int, int], str], str], ...] = (  # of two distances in centimetres
+    (lambda far, _: rf"$Q$ is a point of the gripper. Seen from $\mathbf p$ it lies 0.{far} m along axis 6", "c"),
     (
-        r"$Q$ is a point of the gripper. Seen from $\mathbf p$ it lies 0.12 m along axis 6 and 0.05 m beside that axis",
+        lambda far, near: (
+            rf"$Q$ is a point of the gripper. Seen from $\mathbf p$ it lies 0.{far} m along axis 6 and 0.0{near} m beside that axis"
+        ),
         "e",
     ),
-    ("$Q$ is a point of the link between joints 4 and 5, 0.12 m away from axis 5", "b"),
+    (lambda far, _: f"$Q$ is a point of the link between joints 4 and 5, 0.{far} m away from axis 5", "b"),
 )
-
 OPTIONS = (
     "both are zero: joints of the wrist turn the hand and move no point of it",
     "both are zero: neither joint moves the link that Q belongs to",
@@ -49,9 +50,10 @@ OPTIONS = (
 def draw(rng: np.random.Generator) -> dict[str, Any]:
     """An arm of one structure with a hand that every joint moves, and a point for the last question."""
     structure, asked = int(rng.integers(len(STRUCTURES))), int(rng.integers(len(POINTS)))
+    away = [int(rng.integers(11, 30)), int(rng.integers(3, 9))]
 
     def drawn() -> dict[str, Any]:
-        v: dict[str, Any] = {"structure": structure, "point": asked}
+        v: dict[str, Any] = {"structure": structure, "point": asked, "away": away}
         v |= {"d1": length(rng), "a1": length(rng, 0.2, 0.5), "a2": length(rng), "a3": length(rng)}
         return v | {"a4": length(rng, 0.2, 0.6), "q": angles(rng, 6, [(1, 2), (1, 2, 3)])}
 
@@ -162,7 +164,12 @@ rows $\mathbf J_v$ of its Jacobian, $\dot{{\mathbf p}} = \mathbf J_v \dot{{\math
 $j$ is the derivative of $p_x$ with respect to $q_j$. Start from $\mathbf p$ as it is printed here; how the arm is mounted and where
 its joints are zero is personal.
 
-For the last question: {POINTS[v["point"]][0]}."""
+For the last question: {POINTS[v["point"]][0](*v["away"])}."""
+
+
+WRITTEN = (
+    "with a * in every product and angles in radians, such as `a2*C2 + a3*C23`; C23 and S234 are read as on the sheet"
+)
 
 
 def row_part(i: int) -> Part:
@@ -170,7 +177,7 @@ def row_part(i: int) -> Part:
     return Part(
         ROWS[i],
         rf"Row {i + 1} of $\mathbf J_v$: the derivatives of $p_{x}$ with respect to $q_1, \ldots, q_6$, a list of six formulas as texts in "
-        "d1, a1, a2, a3, a4 and q1 to q6; C234 and S234 are read, too",
+        f"d1, a1, a2, a3, a4 and q1 to q6, {WRITTEN if i == 0 else 'written as in row 1'}",
         2,
         Formulas((6,), NAMES),
         lambda v, _: row(v, i),
@@ -190,7 +197,7 @@ def row_part(i: int) -> Part:
             ),
             Mistake("Columns 5 and 6: which joints stand in p?", lambda v, _: wrist_counted(v, i)),
             Mistake(
-                "This is the row of the arm in the source, which stands otherwise; start from p as your sheet prints it.",
+                "This is the row of the arm on the slides, which stands otherwise; start from p as your sheet prints it.",
                 lambda _, __: derivatives(PRINTED[i], shoulder=False),
             ),
         ),
@@ -237,8 +244,8 @@ EXERCISE = Exercise(
         ),
         Part(
             "articulated_derivatives_point",
-            r"For $\mathbf p$ the columns 5 and 6 of $\mathbf J_v$ are zero. The right statement about columns 5 and 6 of the linear rows for "
-            r"the point $Q$ of your sheet, in a general posture",
+            r"For $\mathbf p$ the columns 5 and 6 of $\mathbf J_v$ are zero. Which statement about columns 5 and 6 of the linear rows is right for "
+            r"the point $Q$, in a general posture?",
             2,
             Choice(OPTIONS),
             point_letter,

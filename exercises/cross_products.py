@@ -6,6 +6,7 @@ component of a cross product hides a wrong sign.
 
 import math
 from collections.abc import Callable
+from itertools import combinations
 from typing import Any
 
 import numpy as np
@@ -53,7 +54,7 @@ def _direction(rng: np.random.Generator) -> list[int]:
 def _is_telling(v: Variant) -> bool:
     z, right = axes(v), linear(v, {})
     skew = np.linalg.norm(np.cross(z, np.roll(z, 1, axis=1), axis=0), axis=0)
-    wrong = [lever_columns(v, lever) for _, lever in LEVERS]
+    wrong = [*(lever_columns(v, lever) for _, lever in LEVERS), *(linear_of(v, pair) for pair in wrong_pairs(v))]
     apart = all((np.abs(right - columns).max(axis=0) > TELLING).any() for columns in wrong)
     return apart and bool(skew.min() > 0.5) and float(np.abs(np.append(right, velocity(v, {}))).min()) > TELLING
 
@@ -76,6 +77,11 @@ def revolute(v: Variant) -> list[int]:
 
 def prismatic(v: Variant) -> int:
     return str(v["kinds"]).index("P")
+
+
+def wrong_pairs(v: Variant) -> list[tuple[int, int]]:
+    """Places of two joints of which one slides."""
+    return [pair for pair in combinations(range(3), 2) if prismatic(v) in pair]
 
 
 def to_tool(v: Variant) -> Array:
@@ -105,6 +111,12 @@ def lever_columns(v: Variant, lever: Callable[[Variant], Array]) -> Array:
     """Linear parts (3, 2) of the revolute columns with these lever arms."""
     turning = revolute(v)
     return np.asarray(np.cross(axes(v)[:, turning], lever(v)[:, turning], axis=0), dtype=np.float64)
+
+
+def linear_of(v: Variant, pair: tuple[int, int]) -> Array:
+    """Linear parts (3, 2) of the columns of two joints, as if both were revolute."""
+    places = list(pair)
+    return np.asarray(np.cross(axes(v)[:, places], to_tool(v)[:, places], axis=0), dtype=np.float64)
 
 
 def velocity(v: Variant, _: Given) -> Array:
@@ -140,6 +152,20 @@ def not_divided(v: Variant, given: Given) -> Array:
     return linear(v, given) * sizes[revolute(v)]
 
 
+def slide_not_divided(v: Variant, _: Given) -> Array:
+    return np.append(v[f"w{prismatic(v) + 1}"], np.zeros(3))
+
+
+def slide_with_lever(v: Variant, given: Given) -> Array:
+    """The cross product of axis and lever arm above zeros."""
+    return np.append(slide_as_revolute(v, given)[:3], np.zeros(3))
+
+
+def slide_of_another(v: Variant, which: int) -> Array:
+    """The axis of the first or the second revolute joint above zeros."""
+    return np.append(axes(v)[:, revolute(v)[which]], np.zeros(3))
+
+
 def slide_as_revolute(v: Variant, _: Given) -> Array:
     z, i = axes(v), prismatic(v)
     return np.append(np.cross(z[:, i], to_tool(v)[:, i]), z[:, i])
@@ -150,8 +176,27 @@ def turning_slide(v: Variant, given: Given) -> Array:
     return J
 
 
-def slide_that_turns(v: Variant, given: Given) -> Array:
-    return assembled(v, {**given, "cross_products_slide": turning_slide(v, given)})
+def reversed_linear(v: Variant, given: Given) -> Array:
+    return assembled(v, {**given, "cross_products_linear": -given["cross_products_linear"]})
+
+
+def directions_as_printed(v: Variant, given: Given) -> Array:
+    """The Jacobian in which no direction is divided by its length."""
+    J = assembled(
+        v, {"cross_products_linear": not_divided(v, given), "cross_products_slide": slide_not_divided(v, given)}
+    )
+    return _with_printed_axes(v, J)
+
+
+def angular_as_printed(v: Variant, given: Given) -> Array:
+    return _with_printed_axes(v, assembled(v, given))
+
+
+def _with_printed_axes(v: Variant, J: Array) -> Array:
+    """J with the printed directions in its angular rows."""
+    for i in revolute(v):
+        J[3:, i] = v[f"w{i + 1}"]
+    return J
 
 
 def slide_at_the_end(v: Variant, given: Given) -> Array:
@@ -240,7 +285,7 @@ def statement(v: Variant) -> str:
     return rf"""All vectors are in base axes.
 
 A body turns with the angular velocity $\boldsymbol\omega$ about an axis through a fixed point, and $\mathbf r$ leads from that point to
-a point of the body (S4 calls it $\mathbf P$).
+a point of the body.
 
 Apart from that, an arm has three joints, counted from the base: {kinds}. At this moment the axis of joint $i$ goes through
 the point $\mathbf p_i$ in the direction of $\mathbf w_i$; its unit vector is $\mathbf z_i = \mathbf w_i / \sqrt{{\mathbf w_i \cdot \mathbf w_i}}$ (the
@@ -250,6 +295,26 @@ $\mathbf p$. Points are given by their coordinates in the base frame."""
 
 REVERSED = "The order of the cross product is reversed, which changes its sign: first what turns, then the lever arm."
 MINUS = "The second component of the cross product has the wrong sign; look again at its rule."
+
+SLIDING = "One of these columns is that of the joint that slides; the two revolute joints are asked."
+NOT_DIVIDED = "The directions seem to be used as printed; divide each by its length first."
+SLIDES: tuple[tuple[str, Callable[[Variant, Given], Array]], ...] = (
+    ("This is the column of a revolute joint; the joint slides.", slide_as_revolute),
+    ("Look again at the angular part: does the tool turn when a prismatic joint moves?", turning_slide),
+    ("A lever arm seems to be in it; does it matter for a slide where the tool point is?", slide_with_lever),
+    (NOT_DIVIDED, slide_not_divided),
+    ("This is the axis of another joint; which joint slides?", lambda v, _: slide_of_another(v, 0)),
+    ("This is the axis of another joint; which joint slides?", lambda v, _: slide_of_another(v, 1)),
+)  # known wrong columns of the prismatic joint
+
+
+def assembled_with(sentence: str, wrong: Callable[[Variant, Given], Array]) -> Mistake:
+    """A known wrong prismatic column as a mistake of the whole Jacobian."""
+    return Mistake(
+        f"The prismatic column: {sentence}",
+        lambda v, given: assembled(v, {**given, "cross_products_slide": wrong(v, given)}),
+    )
+
 
 EXERCISE = Exercise(
     slug="cross_products",
@@ -297,7 +362,9 @@ EXERCISE = Exercise(
             mistakes=(
                 *(Mistake(sentence, lambda v, _, lever=lever: lever_columns(v, lever)) for sentence, lever in LEVERS),
                 Mistake(MINUS, lambda v, given: without_minus(linear(v, given))),
-                Mistake("The directions seem to be used as printed; divide each by its length first.", not_divided),
+                Mistake(NOT_DIVIDED, not_divided),
+                Mistake(SLIDING, lambda v, _: linear_of(v, wrong_pairs(v)[0])),
+                Mistake(SLIDING, lambda v, _: linear_of(v, wrong_pairs(v)[1])),
             ),
             explain=explain_linear,
         ),
@@ -309,12 +376,7 @@ EXERCISE = Exercise(
             slide,
             credit="all",
             hints=("How does the tool turn when the joint slides?", "Does it matter where the tool point is?"),
-            mistakes=(
-                Mistake("This is the column of a revolute joint; the joint slides.", slide_as_revolute),
-                Mistake(
-                    "Look again at the angular part: does the tool turn when a prismatic joint moves?", turning_slide
-                ),
-            ),
+            mistakes=tuple(Mistake(sentence, wrong) for sentence, wrong in SLIDES),
             explain=explain_slide,
         ),
         Part(
@@ -328,7 +390,10 @@ EXERCISE = Exercise(
             credit="column",
             hints=("What stands below the linear part of a revolute joint's column?",),
             mistakes=(
-                Mistake("The angular part of the prismatic column looks as if that joint turned.", slide_that_turns),
+                *(assembled_with(sentence, wrong) for sentence, wrong in SLIDES),
+                Mistake(NOT_DIVIDED, directions_as_printed),
+                Mistake(f"The angular rows: {NOT_DIVIDED}", angular_as_printed),
+                Mistake(f"The linear rows: {REVERSED}", reversed_linear),
                 Mistake("The columns seem to be in another order than the joints.", slide_at_the_end),
             ),
             explain=explain_assembled,

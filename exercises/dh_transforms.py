@@ -99,6 +99,19 @@ def first_link_modified(v: Variant, _: Given) -> list[list[str]]:
     ]
 
 
+def first_link_in_degrees(v: Variant, *, theta: bool = True, alpha: bool = True) -> list[list[str]]:
+    """Row 1 with the degrees of these two columns in sines and cosines of radians."""
+    turn = f"q1 {v['offset'][0]:+d}" if theta else f"q1{SHIFTS[v['offset'][0]]}"
+    twist = str(v["alpha"][0]) if alpha else f"{SIGN[v['alpha'][0] // 90]}pi/2"
+    c, s, ca, sa = f"cos({turn})", f"sin({turn})", f"cos({twist})", f"sin({twist})"
+    return [
+        [c, f"-{s}*{ca}", f"{s}*{sa}", f"a1*{c}"],
+        [s, f"{c}*{ca}", f"-{c}*{sa}", f"a1*{s}"],
+        ["0", sa, ca, "d1"],
+        ["0", "0", "0", "1"],
+    ]
+
+
 def links(v: Variant, _: Given) -> Array:
     """T_0^1, T_1^2, T_2^3."""
     return standard_transform(rows(v))
@@ -114,9 +127,13 @@ def exchanged_lengths(v: Variant, _: Given) -> Array:
     return standard_transform(rows(v)[:, [0, 2, 1, 3]])
 
 
-def alpha_in_degrees(v: Variant, _: Given) -> Array:
-    table = rows(v)
-    table[:, 3] = v["alpha"]
+def links_in_degrees(v: Variant, *, theta: bool = True, alpha: bool = True) -> Array:
+    """The degrees of these two columns taken for radians."""
+    table = rows(v, offsets=not theta)
+    if theta:
+        table[:, 0] += v["offset"]
+    if alpha:
+        table[:, 3] = v["alpha"]
     return standard_transform(table)
 
 
@@ -184,12 +201,14 @@ def explain_frames(_: Variant, given: Given) -> list[Step]:
 
 def drawings(v: Variant) -> tuple[Drawing, ...]:
     q = tuple(v[f"{'q' if kind == 'R' else 's'}{i}"] for i, kind in enumerate(v["kinds"], 1))
+    slides = str(v["kinds"]).index("P") + 1
     last = frames(v, {"dh_transforms_links": links(v, {})})[-1]
     return (
         Drawing(
             from_standard(rows(v, joints=False), v["kinds"]),
             q,
-            "The arm of your table at your joint values, with frames 0 and 3; a stroke s is labelled q here.",
+            f"The arm of your table at your joint values, with frames 0 and 3; the figure writes q{slides} for the stroke "
+            f"s{slides}.",
             f"Arm with three joints ({_kinds(v)}), drawn at your joint values.",
             (Triad(np.eye(4), "0"), Triad(last, "3")),
         ),
@@ -199,17 +218,16 @@ def drawings(v: Variant) -> tuple[Drawing, ...]:
 def statement(v: Variant) -> str:
     order = ORDERS[int(v["order"])]
     header = " | ".join({"theta": r"$\theta_i$", "alpha": r"$\alpha_i$"}.get(name, f"${name}_i$") for name in order)
-    body = "\n".join(f"| {i} | " + " | ".join(_cell(v, i, name) for name in order) + " |" for i in (1, 2, 3))
+    body = "\n".join(f"| ${i}$ | " + " | ".join(_cell(v, i, name) for name in order) + " |" for i in (1, 2, 3))
     return rf"""The table of an arm with three joints ({_kinds(v)}) in the **standard** Denavit–Hartenberg convention:
 
 | $i$ | {header} |
 |:-:|:-:|:-:|:-:|:-:|
 {body}
 
-From frame $i-1$, turn by $\theta_i$ about its $\mathbf z$ and go $d_i$ along it, then go $a_i$ (S2 writes $r_i$) along the new $\mathbf x$ and
+Mind the order of the columns: it is not the same in every table. From frame $i-1$, turn by $\theta_i$ about its $\mathbf z$ and go $d_i$ along it, then go $a_i$ along the new $\mathbf x$ and
 turn by $\alpha_i$ about it: that is frame $i$. Angles of the table are in degrees, the joint angles $q_i$ below in radians; $s_i$ is the
-stroke of a prismatic joint. A length may be negative. $\mathbf T_j^i$ is the 4 × 4 pose of frame $i$ in the coordinates of frame $j$
-(S2 writes it $\mathbf T_i^j$)."""
+stroke of a prismatic joint. A length may be negative. $\mathbf T_j^i$ is the 4 × 4 pose of frame $i$ in the coordinates of frame $j$."""
 
 
 def _kinds(v: Variant) -> str:
@@ -220,19 +238,28 @@ def _kinds(v: Variant) -> str:
 def _cell(v: Variant, i: int, column: str) -> str:
     kind, offset = v["kinds"][i - 1], v["offset"][i - 1]
     if column == "alpha":
-        return f"{v['alpha'][i - 1]}°"
+        return _degrees(v["alpha"][i - 1])
     if column == "theta":
         if kind == "P":
-            return f"{offset}°"
+            return _degrees(offset)
         return f"$q_{i}$" + (f" {'+' if offset > 0 else '−'} {abs(offset)}°" if offset else "")
     if column == "d" and kind == "P":
         return f"$s_{i}$"
     return f"${column}_{i}$" if f"{column}{i}" in v else "0"
 
 
+def _degrees(angle: int) -> str:
+    return f"{'−' if angle < 0 else ''}{abs(angle)}°"
+
+
 MODIFIED = "The steps of a row seem to be taken in the order of the modified convention; the table is in the standard convention."
 EXCHANGED = "The columns a and d seem exchanged; read the labels of the columns."
 OFFSET = "The constant angles in the column of theta seem to be left out."
+THETA_DEGREES = (
+    "The constant angles in the column of theta, printed in degrees, seem to be added to radians as they are."
+)
+ALPHA_DEGREES = "The angles alpha, printed in degrees, seem to be used as radians."
+ALL_DEGREES = "The angles of the table, printed in degrees, seem to be used as radians."
 POSE = [["1", "1", "1", "m"]] * 3 + [["1"] * 4]
 
 EXERCISE = Exercise(
@@ -252,8 +279,8 @@ EXERCISE = Exercise(
     parts=(
         Part(
             "dh_transforms_first",
-            r"The transform $\mathbf T_0^1$ of row 1, as 4 × 4 formulas in `q1`, `a1`, `d1`; sines and cosines of the right angles "
-            "may be evaluated",
+            r"The transform $\mathbf T_0^1$ of row 1, as 4 × 4 formulas in `q1`, `a1`, `d1`, with a `*` in every product and angles in "
+            "radians (`pi/2` for 90°), such as `2*d1*cos(q1)`; sines and cosines of the right angles may be evaluated",
             3,
             Formulas((4, 4), ("q1", "a1", "d1")),
             lambda v, _: first_link(v),
@@ -266,6 +293,9 @@ EXERCISE = Exercise(
                 Mistake(EXCHANGED, lambda v, _: first_link(v, "d1", "a1")),
                 Mistake("The turn by alpha seems to go the other way.", lambda v, _: first_link(v, alpha=-1)),
                 Mistake(OFFSET, lambda v, _: first_link(v, offset=False)),
+                Mistake(THETA_DEGREES, lambda v, _: first_link_in_degrees(v, alpha=False)),
+                Mistake(ALPHA_DEGREES, lambda v, _: first_link_in_degrees(v, theta=False)),
+                Mistake(ALL_DEGREES, lambda v, _: first_link_in_degrees(v)),
             ),
             explain=explain_first,
         ),
@@ -281,7 +311,9 @@ EXERCISE = Exercise(
                 Mistake(MODIFIED, lambda v, _: modified_transform(rows(v))),
                 Mistake(EXCHANGED, exchanged_lengths),
                 Mistake(OFFSET, lambda v, _: standard_transform(rows(v, offsets=False))),
-                Mistake("The angles alpha, printed in degrees, seem to be used as radians.", alpha_in_degrees),
+                Mistake(THETA_DEGREES, lambda v, _: links_in_degrees(v, alpha=False)),
+                Mistake(ALPHA_DEGREES, lambda v, _: links_in_degrees(v, theta=False)),
+                Mistake(ALL_DEGREES, lambda v, _: links_in_degrees(v)),
             ),
             explain=explain_links,
         ),

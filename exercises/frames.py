@@ -4,19 +4,24 @@ Toolboxes call them by different words, so that the sheet names each by its axes
 `small_rotations`; the twist that is to be recognized carries no mark of the frame it was computed in.
 """
 
+from collections.abc import Callable
+from dataclasses import replace
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..solutions.jacobian import at_point, in_axes, jacobian
+from ..solutions.robot import Robot
 from .answers import LETTERS
 from .drawing import Drawing, Triad
 from .draws import angles, length, rates, until
 from .exercise import Choice, Exercise, Given, Mistake, Numbers, Part, Step, Variant
-from .small_rotations import LENGTHS, SENSES, lengths, printed_table, robot, table_rows
+from .small_rotations import LENGTHS, SENSES, TURNS, lengths, printed_table, robot, table_rows
 
 Array = NDArray[np.float64]
+SLIDE = 2  # index of joint 3
 APART = 0.05  # between the largest components of the twists that are to be told apart
 UNITS = [["m/rad", "m/rad", "1", "m/rad"]] * 3 + [["1"] * 4] * 3
 FRAMES = (
@@ -109,6 +114,76 @@ def own(v: Variant) -> dict[str, Array]:
     return {"frames_T": pose(v, {}), "frames_J": at_tool_point(v, {})}
 
 
+@lru_cache
+def without_constant_angle(form: int) -> Robot:
+    rows = table_rows(robot(form))
+    rows[SLIDE][0] = "0"
+    return replace(robot(form), rows=rows)
+
+
+@lru_cache
+def with_degrees(form: int) -> Robot:
+    """The arm with 90 for a right angle."""
+    degrees = {"pi/2": "90", "-pi/2": "-90"}
+    return replace(robot(form), rows=[[degrees.get(cell, cell) for cell in row] for row in table_rows(robot(form))])
+
+
+def own_without_constant_angle(v: Variant) -> dict[str, Array]:
+    return _of_arm(without_constant_angle(v["form"]), v, np.array(v["q"]))
+
+
+def own_in_degrees(v: Variant) -> dict[str, Array]:
+    """Pose and Jacobian with every angle in degrees in functions that take radians."""
+    return _of_arm(with_degrees(v["form"]), v, np.array(v["q"]) * np.array([180 / np.pi if t else 1.0 for t in TURNS]))
+
+
+def _of_arm(arm: Robot, v: Variant, q: Array) -> dict[str, Array]:
+    J = jacobian(arm.chain(lengths(v)), q)
+    return {"frames_T": arm.frames(lengths(v), q)[-1], "frames_J": J}
+
+
+def all_turning(v: Variant, _: Given) -> Array:
+    """The slide's column as that of a revolute joint."""
+    J, poses = at_tool_point(v, {}), robot(v["form"]).frames(lengths(v), v["q"])
+    z = poses[SLIDE, :3, 2]
+    J[:, SLIDE] = np.concatenate([np.cross(z, poses[-1, :3, 3] - poses[SLIDE, :3, 3]), z])
+    return J
+
+
+def slide_turns_too(v: Variant, _: Given) -> Array:
+    J = at_tool_point(v, {})
+    J[3:, SLIDE] = J[:3, SLIDE]
+    return J
+
+
+def turned_and_shifted(sign: int) -> Callable[[Variant, Given], Array]:
+    """In tool axes at the base origin, or moved as far the other way."""
+    return lambda _, given: _turned(
+        _moved(given["frames_J"], sign * given["frames_T"][:3, 3]), given["frames_T"][:3, :3].T
+    )
+
+
+def shifted_in_tool_axes(v: Variant, given: Given) -> Array:
+    """The shift in base coordinates, on a Jacobian in tool axes."""
+    return _moved(rotated(v, given), given["frames_T"][:3, 3])
+
+
+def only_for_this_arm(v: Variant, given: Given) -> Array:
+    """A matrix that turns the one Jacobian into the other, but not every twist."""
+    known = own(v) | {"frames_T": given["frames_T"]}
+    return shifted(v, known) @ np.linalg.pinv(rotated(v, known))
+
+
+def wrong_blocks(of: Callable[[Array, Array], tuple[Array, Array]]) -> Callable[[Variant, Given], Array]:
+    """X with the rotation and the coupling block that `of(R, S)` gives."""
+    return lambda _, given: _blocks(*of(given["frames_T"][:3, :3], cross_matrix(given["frames_T"][:3, 3])))
+
+
+def angular_first(v: Variant, given: Given) -> Array:
+    X = conversion(v, given)
+    return np.block([[X[3:, 3:], X[3:, :3]], [X[:3, 3:], X[:3, :3]]])
+
+
 def one_frame_late(v: Variant, _: Given) -> Array:
     """Columns from frame i in place of frame i - 1."""
     poses = robot(v["form"]).frames(lengths(v), v["q"])[1:]
@@ -143,7 +218,7 @@ def explain_jacobian(v: Variant, given: Given) -> list[Step]:
     return [
         Step(
             r"A revolute column is $\mathbf z_{i-1} \times (\mathbf p - \mathbf o_{i-1})$ above $\mathbf z_{i-1}$, the prismatic one $\mathbf z_2$ above "
-            r"zeros (S0, eq. 4.8 and 4.10). Axes and lever arms are those of base coordinates:",
+            r"zeros. Axes and lever arms are those of base coordinates:",
             r"\mathbf J",
             numbers=given["frames_J"],
         )
@@ -227,6 +302,8 @@ of the tool body which is at that place now, where the body is imagined to be as
 In the last question $\boldsymbol\xi$ (linear above angular) is the twist that some toolbox printed for the joint rates $\dot{{\mathbf q}}$."""
 
 
+NO_CONSTANT_ANGLE = "Row 3 of the table: joint 3 slides, but its theta is a right angle and not zero."
+DEGREES = "Angles in degrees seem to have gone into a sine or cosine that takes radians."
 EXERCISE = Exercise(
     slug="frames",
     title="One Jacobian in three frames",
@@ -259,6 +336,8 @@ EXERCISE = Exercise(
                     "This is the base frame seen from the tool, the inverse of the asked pose.",
                     lambda v, _: np.linalg.inv(pose(v, {})),
                 ),
+                Mistake(NO_CONSTANT_ANGLE, lambda v, _: own_without_constant_angle(v)["frames_T"]),
+                Mistake(DEGREES, lambda v, _: own_in_degrees(v)["frames_T"]),
             ),
             hints=("Multiply the four transforms of the table from left to right.",),
             explain=explain_pose,
@@ -277,6 +356,10 @@ EXERCISE = Exercise(
                 ),
                 Mistake("This is in tool axes; base axes are asked.", lambda v, _: rotated(v, own(v))),
                 Mistake("This is at the base origin; the tool point is asked.", lambda v, _: shifted(v, own(v))),
+                Mistake("Column 3 looks as if joint 3 were revolute; look again at its type.", all_turning),
+                Mistake("Column 3, angular rows: how fast does the tool turn while joint 3 slides?", slide_turns_too),
+                Mistake(NO_CONSTANT_ANGLE, lambda v, _: own_without_constant_angle(v)["frames_J"]),
+                Mistake(DEGREES, lambda v, _: own_in_degrees(v)["frames_J"]),
             ),
             hints=("The lever arm of a revolute joint ends at the tool point.", "Joint 3 slides."),
             explain=explain_jacobian,
@@ -295,6 +378,13 @@ EXERCISE = Exercise(
                     lambda _, given: _turned(given["frames_J"], given["frames_T"][:3, :3]),
                 ),
                 Mistake("Only the linear rows are turned; the angular ones have axes too.", linear_rows_only),
+                Mistake(
+                    "The axes are those of the tool, but the point has been moved as well; it stays the tool point.",
+                    turned_and_shifted(1),
+                ),
+                Mistake("The point has been moved as well; it stays the tool point.", turned_and_shifted(-1)),
+                Mistake("The point has been moved as well; it stays the tool point.", shifted_in_tool_axes),
+                Mistake(NO_CONSTANT_ANGLE, lambda v, _: rotated(v, own_without_constant_angle(v))),
             ),
             hints=("Which way does R lead, and which way do you go?", "The point does not change."),
             explain=explain_rotated,
@@ -313,6 +403,11 @@ EXERCISE = Exercise(
                 ),
                 Mistake("This is at the tool point; the base origin is asked.", lambda _, given: given["frames_J"]),
                 Mistake("This is in tool axes at the tool point; base axes at the base origin are asked.", rotated),
+                Mistake("This is in tool axes; base axes are asked.", turned_and_shifted(1)),
+                Mistake(
+                    "The shift p is known in base axes; start from the Jacobian in base axes, not from the one in tool axes.",
+                    shifted_in_tool_axes,
+                ),
             ),
             hints=(
                 "How do the velocities of two points of one body differ?",
@@ -322,8 +417,8 @@ EXERCISE = Exercise(
         ),
         Part(
             "frames_X",
-            r"The 6 × 6 matrix $\mathbf X$ that turns the Jacobian in tool axes at the tool point into the one in base axes at the base "
-            r"origin: (base axes, base origin) $= \mathbf X \cdot$ (tool axes, tool point)",
+            r"The 6 × 6 matrix $\mathbf X$ that turns every twist of the tool body (linear above angular), given in tool axes at the tool "
+            r"point, into the same twist in base axes at the base origin; it holds for every twist, not only for those the joints can give",
             3,
             Numbers((6, 6), [["1"] * 3 + ["m"] * 3] * 3 + [["1"] * 6] * 3),
             conversion,
@@ -347,6 +442,26 @@ EXERCISE = Exercise(
                     "The shift is multiplied in the wrong order: p is known in base axes, so turn first, then shift.",
                     order_reversed,
                 ),
+                Mistake(
+                    "This holds for the twists that your joints can give, but not for every twist; build it from R and p alone.",
+                    only_for_this_arm,
+                ),
+                Mistake(
+                    "The rotation is applied the wrong way round: R leads from tool axes to base axes.",
+                    wrong_blocks(lambda R, S: (R.T, S @ R.T)),
+                ),
+                Mistake(
+                    "The rotation is applied the wrong way round: R leads from tool axes to base axes.",
+                    wrong_blocks(lambda R, S: (R.T, S @ R)),
+                ),
+                Mistake(
+                    "The upper right block: the angular velocity comes in tool axes, too, before the shift meets it.",
+                    wrong_blocks(lambda R, S: (R, S)),
+                ),
+                Mistake(
+                    "The blocks are in the order of twists with the angular velocity first; here the linear one comes first.",
+                    angular_first,
+                ),
             ),
             hints=(
                 "Two steps: turn the axes, then move the point.",
@@ -356,7 +471,7 @@ EXERCISE = Exercise(
         ),
         Part(
             "frames_which",
-            r"In which frame is the printed twist $\boldsymbol\xi$ of the tool body",
+            r"In which frame is the printed twist $\boldsymbol\xi$ of the tool body?",
             1,
             Choice(FRAMES),
             named_frame,

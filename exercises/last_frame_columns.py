@@ -5,8 +5,9 @@ printed, for two columns on paper; the rest is for the notebook.
 """
 
 from collections.abc import Callable
+from dataclasses import replace
 from functools import lru_cache
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -36,6 +37,15 @@ def robot() -> Robot:
     return Robot(arm.name, arm.title, parameters, tuple(rows), arm.limits, arm.source)
 
 
+@lru_cache(maxsize=2)
+def misread(convention: Literal["standard", "modified"]) -> Robot:
+    """The arm of a student who reads the table in this convention; in the standard one, with 90 for a right angle."""
+    if convention == "modified":
+        return replace(robot(), convention="modified")
+    degrees = {"pi/2": "90", "-pi/2": "-90", "0": "0"}
+    return replace(robot(), rows=tuple((t, d, a, degrees[str(alpha)]) for t, d, a, alpha in robot().rows))
+
+
 def lengths(v: Variant) -> dict[str, float]:
     return {name: v[name] for name in LENGTHS}
 
@@ -63,10 +73,18 @@ def next_transforms(v: Variant) -> Array:
     return last_frame(to_last_frame(v)[1:], "R" * 6)
 
 
+def signs_of_linear_rows(v: Variant) -> Array:
+    return last_frame(to_last_frame(v)[:6], "R" * 6) * np.array([[-1.0], [1.0]]).repeat(3, 0)
+
+
 def base_axes(v: Variant) -> Array:
     return jacobian(robot().chain(lengths(v)), v["q"])
 
 
+MODIFIED = (
+    "The table seems to be read in the modified convention; look again at the order of the four motions of a row."
+)
+DEGREES = "Angles in degrees seem to have gone into a sine or cosine that takes radians."
 WRONG: tuple[tuple[str, Callable[[Variant], Array]], ...] = (
     ("Look again at the signs of the linear rows: one of the two products is subtracted.", sums_for_differences),
     (
@@ -75,6 +93,7 @@ WRONG: tuple[tuple[str, Callable[[Variant], Array]], ...] = (
     ),
     ("This comes out of the transform of another frame: column i takes the one from frame i - 1.", next_transforms),
     ("This is in base axes; the axes of frame 6 are asked.", base_axes),
+    ("Every sign of the linear rows is reversed: which of the two products is subtracted?", signs_of_linear_rows),
 )
 
 
@@ -96,6 +115,18 @@ def shows_mistakes(v: Variant) -> bool:
     J, columns = last_frame(to_last_frame(v)[:6], "R" * 6), [i - 1 for i in v["columns"]]
     changes = [np.abs(wrong(v) - J)[:, columns].max(axis=0).min() for _, wrong in WRONG]
     return min(changes) > SHOWS and bool((np.linalg.norm(J[:3, :5], axis=0) > SHOWS).all())
+
+
+def modified_transforms(v: Variant) -> Array:
+    """Transforms (7, 4, 4) from frame 0, 1, ... 6 to frame 6 where the table is read in the modified convention."""
+    poses = np.array([np.eye(4), *misread("modified").frames(lengths(v), v["q"])[:6]])
+    return np.linalg.inv(poses) @ poses[-1]
+
+
+def transforms_in_degrees(v: Variant) -> Array:
+    """Transforms (6, 4, 4) with every angle in degrees in functions that take radians."""
+    poses = misread("standard").frames(lengths(v), np.degrees(v["q"]))
+    return np.linalg.inv(poses[:6]) @ poses[-1]
 
 
 def transforms(v: Variant, _: Given) -> Array:
@@ -134,7 +165,12 @@ def turned(R: Array, J: Array) -> Array:
 
 
 def in_base_axes(_: Variant, given: Given) -> Array:
-    return turned(given["last_frame_columns_T"][0, :3, :3], given["last_frame_columns_J"])
+    return turned_by(given["last_frame_columns_T"], given)
+
+
+def turned_by(T: Array, given: Given) -> Array:
+    """The student's own J turned by the rotation of the first of these transforms."""
+    return turned(T[0, :3, :3], given["last_frame_columns_J"])
 
 
 def turned_back(_: Variant, given: Given) -> Array:
@@ -150,7 +186,7 @@ def explain_column(k: int) -> Callable[[Variant, Given], list[Step]]:
         i = v["columns"][k]
         return [
             Step(
-                rf"Column {i} takes $\mathbf T_{{{i - 1}}}^{{6}}$, with the columns $\mathbf n, \mathbf o, \mathbf a, \mathbf p$ (S1, eq. 5.26):",
+                rf"Column {i} takes $\mathbf T_{{{i - 1}}}^{{6}}$, with the columns $\mathbf n, \mathbf o, \mathbf a, \mathbf p$:",
                 rf"\mathbf T_{{{i - 1}}}^{{6}}",
                 numbers=given["last_frame_columns_printed"][k],
             ),
@@ -221,8 +257,8 @@ def statement(v: Variant) -> str:
 | 5 | $q_5$ | 0 | 0 | $\pi/2$ |
 | 6 | $q_6$ | $d_6$ | 0 | 0 |
 
-The point whose velocity is meant is the origin of frame 6. $\mathbf J^{{6}}$ is its Jacobian **in the axes of frame 6**, the last frame
-(S1, eq. 5.26); $\mathbf J^{{0}}$ is that of the same point in base axes. $\mathbf T_{{i-1}}^{{6}}$ is the transform from frame $i-1$ to frame 6 at your
+The point whose velocity is meant is the origin of frame 6. $\mathbf J^{{6}}$ is its Jacobian **in the axes of frame 6**, the last
+frame; $\mathbf J^{{0}}$ is that of the same point in base axes. $\mathbf T_{{i-1}}^{{6}}$ is the pose of frame 6 in frame $i-1$ at your
 $\mathbf q$, the product of rows $i$ to 6 of the table. Two of them are among your numbers, rounded to four decimals, the first three
 entries of the last column in metres:
 
@@ -282,7 +318,12 @@ EXERCISE = Exercise(
             Numbers((6, 6), [[unit] for unit in TWIST_UNITS], decimals=3),
             all_columns,
             needs=("last_frame_columns_T",),
-            mistakes=tuple(wrong_jacobian(sentence, wrong) for sentence, wrong in WRONG),
+            mistakes=(
+                *(wrong_jacobian(sentence, wrong) for sentence, wrong in WRONG),
+                wrong_jacobian(MODIFIED, lambda v: last_frame(modified_transforms(v)[:6], "R" * 6)),
+                wrong_jacobian(MODIFIED, lambda v: last_frame(modified_transforms(v)[1:], "R" * 6)),
+                wrong_jacobian(DEGREES, lambda v: last_frame(transforms_in_degrees(v), "R" * 6)),
+            ),
             hints=(
                 "A loop over the columns from the last to the first needs one more matrix product each time.",
                 "Two of the columns are known already.",
@@ -303,6 +344,12 @@ EXERCISE = Exercise(
                     "The rotation seems to be turned the other way round: whose axes are its columns?", turned_back
                 ),
                 Mistake("Which of the two blocks change when only the axes change?", linear_rows_only),
+                Mistake(
+                    "This is still in the axes of frame 6; base axes are asked.",
+                    lambda _, given: given["last_frame_columns_J"],
+                ),
+                Mistake(MODIFIED, lambda v, given: turned_by(modified_transforms(v), given)),
+                Mistake(DEGREES, lambda v, given: turned_by(transforms_in_degrees(v), given)),
             ),
             hints=(
                 "Only the axes change, the point does not.",

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..solutions.chain import Chain, elementary, product
+from ..solutions.expression_array import ExpressionArray, expression_array, same_formulas, sampled
 from .drawing import Dimension, Drawing, Triad, point
 from .draws import CLEARANCE, angles, length, until
 from .exercise import Exercise, ExerciseError, Formulas, Given, Mistake, Numbers, Outcome, Part, Step, Variant
@@ -26,6 +27,8 @@ SIGN = {1: "+", -1: "-"}
 QUARTER = {0: "", 90: " + pi/2", -90: " - pi/2"}
 BENT = 0.3  # smallest |sin| of q2 and of the angle between the links
 UP = np.array([0.0, 0.0, 1.0])
+NEAR = 2e-3  # how far rounded numbers may be from a known mistake that is followed or paid less
+OMEGA = 0.2  # share of the points that a wrong angular entry costs where the linear rows are right
 
 
 def draw(rng: np.random.Generator) -> dict[str, Any]:
@@ -34,7 +37,7 @@ def draw(rng: np.random.Generator) -> dict[str, Any]:
     l1, l2 = until(lambda: (length(rng), length(rng)), lambda pair: abs(pair[0] - pair[1]) > 0.05)
 
     def clear(v: dict[str, Any]) -> bool:
-        first, second = link_angles(v)
+        first, second = link_angles(v, form_of(v))
         bends = np.sin([v["q"][1], second - first])
         return bool((np.abs(bends) > BENT).all()) and all(
             CLEARANCE <= np.degrees(angle) % 90 <= 90 - CLEARANCE for angle in (first, second, v["q"][0] + v["q"][1])
@@ -53,16 +56,16 @@ def form_of(v: Variant) -> Form:
     return FORMS[int(v["form"])]
 
 
-def link_angles(v: Variant) -> tuple[float, float]:
+def link_angles(v: Variant, form: Form) -> tuple[float, float]:
     """Angles of both links from x of frame 0 [rad]."""
-    sense1, sense2, offset = form_of(v)
+    sense1, sense2, offset = form
     first = v["beta"] + sense1 * v["q"][0]
     return first, first + sense2 * v["q"][1] + math.radians(offset)
 
 
-def angle_formulas(v: Variant, mounting: str = "beta") -> tuple[str, str]:
+def angle_formulas(form: Form, mounting: str = "beta") -> tuple[str, str]:
     """The same as formulas."""
-    sense1, sense2, offset = form_of(v)
+    sense1, sense2, offset = form
     first = f"{mounting} {SIGN[sense1]} q1"
     return first, f"{first} {SIGN[sense2]} q2{QUARTER[offset]}"
 
@@ -72,13 +75,25 @@ def pose_formulas(first: str, second: str) -> list[str]:
     return [f"l1*cos({first}) + l2*cos({second})", f"l1*sin({first}) + l2*sin({second})", second]
 
 
+SOURCE = pose_formulas("q1", "q1 + q2")
+
+
 def pose(v: Variant, _: Given) -> list[str]:
-    return pose_formulas(*angle_formulas(v))
+    return pose_formulas(*angle_formulas(form_of(v)))
+
+
+def full_turns(v: Variant, given: Given, value: ExpressionArray) -> Outcome:
+    """A check by which theta may be reduced by full turns."""
+    reference = expression_array(pose(v, given), NAMES)
+    turns = (sampled(value, NAMES) - sampled(reference, NAMES))[:, 2] / (2 * np.pi)
+    right = same_formulas(value, reference, NAMES)
+    right[2] = np.isfinite(turns).all() and np.abs(turns - np.round(turns)).max() < 1e-9
+    return Outcome(right=right)
 
 
 def own_angle(v: Variant, _: Given) -> list[str]:
     """Link 2 at the angle of joint 2 alone."""
-    first, second = angle_formulas(v)
+    first, second = angle_formulas(form_of(v))
     return pose_formulas(first, f"0{second.removeprefix(first)}")
 
 
@@ -92,16 +107,18 @@ def derivatives(_: Variant, given: Given) -> Any:
     import sympy  # pyright: ignore[reportMissingTypeStubs]
 
     q: Any = sympy.symbols("q1 q2", real=True)  # pyright: ignore[reportUnknownMemberType, reportUnknownVariableType]
+    if same_formulas(given["planar_2r_pose"], expression_array(SOURCE, NAMES), NAMES).all():
+        raise ExerciseError("nothing follows from the pose of another arm, whose Jacobian is printed in the source")
     J: Any = given["planar_2r_pose"].sympy().jacobian(q)
     if any(entry.free_symbols.isdisjoint(q) for entry in J[:2, :]):  # nothing follows from a pose that is made easy
         raise ExerciseError("x and y take formulas whose derivatives depend on q1 or q2")
     return J
 
 
-def columns_formulas(v: Variant, sense1: int, sense2: int, d_cos: str = "-") -> list[list[str]]:
-    """The Jacobian with these senses as inner derivatives and this sign of the derivative of a cosine."""
-    first, second = angle_formulas(v)
-    one, two = SIGN[sense1], SIGN[sense2]
+def columns_formulas(form: Form, inner: tuple[int, int], d_cos: str = "-") -> list[list[str]]:
+    """The Jacobian with these inner derivatives of the angles and this sign of the derivative of a cosine."""
+    first, second = angle_formulas(form)
+    one, two = (SIGN[sense] for sense in inner)
     return [
         [f"{one}({d_cos}1)*(l1*sin({first}) + l2*sin({second}))", f"{two}({d_cos}1)*l2*sin({second})"],
         [f"{one}(l1*cos({first}) + l2*cos({second}))", f"{two}l2*cos({second})"],
@@ -111,8 +128,19 @@ def columns_formulas(v: Variant, sense1: int, sense2: int, d_cos: str = "-") -> 
 
 def first_link_only(v: Variant, _: Given) -> list[list[str]]:
     """Column 1 without the terms of link 2."""
-    sense1, sense2, _offset = form_of(v)
-    return [[first.replace("l2", "0"), second] for first, second in columns_formulas(v, sense1, sense2)]
+    form = form_of(v)
+    return [[first.replace("l2", "0"), second] for first, second in columns_formulas(form, form[:2])]
+
+
+def linear_formulas_paid(v: Variant, given: Given, value: ExpressionArray) -> Outcome:
+    """A check by which the rows of x and y are paid where only the row of theta is wrong."""
+    return _less_omega(same_formulas(value, expression_array(derivatives(v, given), NAMES), NAMES))
+
+
+def _less_omega(right: NDArray[np.bool_]) -> Outcome:
+    """Angular entries alone are a sign each: wrong ones cost a share, but not the linear rows above them."""
+    wrong = int((~right[2]).sum())
+    return Outcome(share=1 - OMEGA * wrong if right[:2].all() and wrong else None)
 
 
 def links(v: Variant, first: float, second: float) -> tuple[Array, Array]:
@@ -124,7 +152,11 @@ def links(v: Variant, first: float, second: float) -> tuple[Array, Array]:
 
 def transforms(v: Variant, _: Given) -> Array:
     """Frames 1 and 2 in frame 0, (2, 4, 4)."""
-    return multiplied(*links(v, *link_angles(v)))
+    return transforms_of(v, form_of(v))
+
+
+def transforms_of(v: Variant, form: Form) -> Array:
+    return multiplied(*links(v, *link_angles(v, form)))
 
 
 def multiplied(elbow: Array, hand: Array) -> Array:
@@ -132,39 +164,60 @@ def multiplied(elbow: Array, hand: Array) -> Array:
 
 
 def in_wrong_order(v: Variant, _: Given) -> Array:
-    elbow, hand = links(v, *link_angles(v))
+    elbow, hand = links(v, *link_angles(v, form_of(v)))
     return np.array([elbow, hand @ elbow])
 
 
 def half_paid(v: Variant, given: Given, value: Any) -> Outcome:
     """A check by which a product in the wrong order, whose rotation is right by chance, earns nothing for it."""
-    return Outcome(share=0.5 if np.abs(value - in_wrong_order(v, given)).max() <= 2e-3 else None)
+    return Outcome(share=0.5 if np.abs(value - in_wrong_order(v, given)).max() <= NEAR else None)
 
 
-def as_printed(v: Variant, _: Given) -> Array:
-    q1, q2 = v["q"]
-    return multiplied(*links(v, v["beta"] + q1, v["beta"] + q1 + q2))
-
-
-def jacobian_from(lever: Callable[[Array, Array], tuple[Array, Array]], v: Variant, given: Given) -> Array:
+def jacobian_from(lever: Callable[[Array, Array], tuple[Array, Array]], T: Array, senses: tuple[int, int]) -> Array:
     """6 x 2 with the lever arms that come out of the origins o1 and o2."""
-    o1, o2 = given["planar_2r_T"][:, :3, 3]
-    sense1, sense2, _ = form_of(v)
-    columns = [s * np.concatenate([np.cross(UP, r), UP]) for s, r in zip((sense1, sense2), lever(o1, o2), strict=True)]
+    levers = lever(*T[:, :3, 3])
+    columns = [s * np.concatenate([np.cross(UP, r), UP]) for s, r in zip(senses, levers, strict=True)]
     return np.array(columns).T
 
 
+def to_tool(o1: Array, o2: Array) -> tuple[Array, Array]:
+    return o2, o2 - o1
+
+
 def jacobian(v: Variant, given: Given) -> Array:
-    return jacobian_from(lambda o1, o2: (o2, o2 - o1), v, given)
+    return jacobian_from(to_tool, given["planar_2r_T"], form_of(v)[:2])
 
 
-def senses_forgotten(v: Variant, given: Given) -> Array:
-    sense1, sense2, _ = form_of(v)
-    return jacobian(v, given) * [sense1, sense2]
+def jacobian_of(v: Variant, form: Form) -> Array:
+    """The Jacobian of the arm in another form."""
+    return jacobian_from(to_tool, transforms_of(v, form), form[:2])
+
+
+def senses_forgotten(_: Variant, given: Given) -> Array:
+    return jacobian_from(to_tool, given["planar_2r_T"], (1, 1))
+
+
+def upward_omega(v: Variant, given: Given) -> Array:
+    J = jacobian(v, given)
+    J[5] = 1.0
+    return J
+
+
+def same_reading(v: Variant, given: Given, value: Array) -> Outcome:
+    """A check that follows a misread arm from its transforms on, and pays linear rows under wrong angular ones."""
+    for _, read in READINGS:
+        form = read(form_of(v))
+        misread_T, misread_J = transforms_of(v, form), jacobian_of(v, form)
+        if np.abs(given["planar_2r_T"] - misread_T).max() <= NEAR and np.abs(value - misread_J).max() <= NEAR:
+            return Outcome(right=np.ones((6, 2), dtype=bool))
+    right = np.abs(value - jacobian(v, given)) <= NEAR
+    if not right[2:5].all():
+        return Outcome()
+    return _less_omega(right[[0, 1, 5]])
 
 
 def explain_pose(v: Variant, given: Given) -> list[Step]:
-    first, second = map(_latex, angle_formulas(v))
+    first, second = map(_latex, angle_formulas(form_of(v)))
     return [
         Step(
             r"Add the angles from $\mathbf x_0$ on: the mounting angle, each joint with its sense, and what stands between the "
@@ -266,10 +319,26 @@ coordinates of the tool point in frame 0, and $\theta$ is the angle from $\mathb
 
 MOUNTING = "The angle beta of the mounting does not seem to be in it; where does link 1 point at q1 = 0?"
 SENSE = "Each joint's angle seems to count counter-clockwise; look again at the positive senses."
+ONE_SENSE = "The angle of joint {} seems to be counted the other way; look again at its positive sense."
+AT_ZERO = "Look again at how link 2 stands to link 1 where q2 = 0."
 PRINTED = (
     "This looks like an arm whose joints both count counter-clockwise and whose links are in line at q2 = 0; "
     "look again at the positive senses and at where q2 is zero."
 )
+READINGS: tuple[tuple[str, Callable[[Form], Form]], ...] = (
+    (SENSE, lambda form: (1, 1, form[2])),
+    (ONE_SENSE.format(1), lambda form: (-form[0], form[1], form[2])),
+    (ONE_SENSE.format(2), lambda form: (form[0], -form[1], form[2])),
+    (AT_ZERO, lambda form: (form[0], form[1], 0 if form[2] else 90)),
+    (AT_ZERO, lambda form: (form[0], form[1], -form[2] or -90)),
+    (PRINTED, lambda _: (1, 1, 0)),
+)  # of the arm by somebody who overlooks what makes it another than the source's
+
+
+def misread(solve: Callable[[Variant, Form], Any]) -> tuple[Mistake, ...]:
+    """The readings as mistakes of a part, with its answer for an arm of another form."""
+    return tuple(Mistake(sentence, lambda v, _, read=read: solve(v, read(form_of(v)))) for sentence, read in READINGS)
+
 
 EXERCISE = Exercise(
     slug="planar_2r",
@@ -290,20 +359,22 @@ EXERCISE = Exercise(
     parts=(
         Part(
             "planar_2r_pose",
-            r"The pose $(x, y, \theta)$ of frame 2 in frame 0, as three formulas in `l1`, `l2`, `beta`, `q1`, `q2`",
+            r"The pose $(x, y, \theta)$ of frame 2 in frame 0, as three formulas in `l1`, `l2`, `beta`, `q1`, `q2`, with "
+            "a `*` in every product and angles in radians (`pi/2` for 90°), such as `l1*cos(q1)`",
             3,
             Formulas((3,), NAMES),
             pose,
+            check=full_turns,
             hints=(
                 r"Which angle does each link make with $\mathbf x_0$?",
                 "A joint that counts clockwise lowers the angle of everything behind it.",
             ),
             mistakes=(
                 Mistake("Link 2 seems to be at the angle of joint 2 alone; joint 1 turns it too.", own_angle),
-                Mistake(MOUNTING, lambda v, _: pose_formulas(*angle_formulas(v, "0"))),
+                Mistake(MOUNTING, lambda v, _: pose_formulas(*angle_formulas(form_of(v), "0"))),
                 Mistake("Sine and cosine are exchanged: which of them belongs to x?", exchanged),
-                Mistake(PRINTED, lambda _, __: pose_formulas("beta + q1", "beta + q1 + q2")),
-                Mistake(PRINTED, lambda _, __: pose_formulas("q1", "q1 + q2")),
+                *misread(lambda _, form: pose_formulas(*angle_formulas(form))),
+                Mistake(PRINTED, lambda _, __: SOURCE),
             ),
             explain=explain_pose,
         ),
@@ -314,6 +385,7 @@ EXERCISE = Exercise(
             4,
             Formulas((3, 2), NAMES),
             derivatives,
+            check=linear_formulas_paid,
             needs=("planar_2r_pose",),
             hints=(
                 "The derivative of an angle sum with respect to one joint may be negative.",
@@ -322,13 +394,14 @@ EXERCISE = Exercise(
             mistakes=(
                 Mistake(
                     "The derivative of the cosine is the sine with a minus sign; look again at the row of x.",
-                    lambda v, _: columns_formulas(v, *form_of(v)[:2], d_cos="+"),
+                    lambda v, _: columns_formulas(form_of(v), form_of(v)[:2], d_cos="+"),
                 ),
                 Mistake(
                     "A factor of the chain rule seems to be missing: the derivative of each angle with respect to q1 or q2.",
-                    lambda v, _: columns_formulas(v, 1, 1),
+                    lambda v, _: columns_formulas(form_of(v), (1, 1)),
                 ),
                 Mistake("A term of column 1 is missing: joint 1 moves link 2 as well.", first_link_only),
+                *misread(lambda _, form: columns_formulas(form, form[:2])),
             ),
             explain=explain_derivatives,
         ),
@@ -344,11 +417,11 @@ EXERCISE = Exercise(
             mistakes=(
                 Mistake(
                     "The second transform seems to start at frame 1; both shall start at frame 0.",
-                    lambda v, _: np.array(links(v, *link_angles(v))),
+                    lambda v, _: np.array(links(v, *link_angles(v, form_of(v)))),
                 ),
                 Mistake("The two transforms seem to be multiplied in the wrong order.", in_wrong_order),
                 Mistake(MOUNTING, lambda v, given: transforms({**v, "beta": 0.0}, given)),
-                Mistake(PRINTED, as_printed),
+                *misread(transforms_of),
             ),
             explain=explain_transforms,
         ),
@@ -359,6 +432,7 @@ EXERCISE = Exercise(
             3,
             Numbers((6, 2), [["m/rad"]] * 3 + [["1"]] * 3),
             jacobian,
+            check=same_reading,
             needs=("planar_2r_T",),
             hints=(
                 "The axis of a joint that counts clockwise points the other way.",
@@ -368,12 +442,17 @@ EXERCISE = Exercise(
                 Mistake(SENSE, senses_forgotten),
                 Mistake(
                     "The lever arm of column 2 seems to start at the base; it starts at joint 2.",
-                    lambda v, given: jacobian_from(lambda _, o2: (o2, o2), v, given),
+                    lambda v, given: jacobian_from(lambda _, o2: (o2, o2), given["planar_2r_T"], form_of(v)[:2]),
                 ),
                 Mistake(
                     "The lever arm of column 1 seems to end at joint 2; it ends at the tool point.",
-                    lambda v, given: jacobian_from(lambda o1, o2: (o1, o2 - o1), v, given),
+                    lambda v, given: jacobian_from(lambda o1, o2: (o1, o2 - o1), given["planar_2r_T"], form_of(v)[:2]),
                 ),
+                Mistake(
+                    "Both angular columns seem to turn counter-clockwise; look again at the positive senses.",
+                    upward_omega,
+                ),
+                *misread(jacobian_of),
             ),
             explain=explain_jacobian,
         ),

@@ -9,15 +9,18 @@ from numpy.typing import NDArray
 from ..solutions.jacobian import jacobian
 from ..solutions.jacobian import last_frame_columns as last_frame
 from ..solutions.robots import ROBOTS
+from .answers import LETTERS
 from .drawing import Drawing, Triad
 from .draws import angles, length, until
-from .exercise import Choice, Exercise, Given, Mistake, Numbers, Part, Step, Variant
+from .exercise import Choice, Exercise, Given, Mistake, Numbers, Outcome, Part, Step, Variant
 
 Array = NDArray[np.float64]
 ROBOT = ROBOTS["stanford_spong"]
 LENGTHS = ("d2", "d6")
 SLIDE = 2  # index of joint 3
 SHOWS = 0.05  # by which a mistake changes a column
+TOLERANCE = 2e-3  # of the entries of J: three decimals, from transforms and a column that were rounded
+WEIGHT = 0.4  # of column 3 in the points for J: what this exercise is about
 CHANGES = (
     ("every length and linear velocity is given in millimetres, the stroke $q_3$ and its rate too", "b"),
     ("only the rate of joint 3 is given in millimetres per second, and nothing else changes", "d"),
@@ -31,10 +34,11 @@ UNIT_OPTIONS = (
     r"the revolute columns are multiplied by $\pi/180$ in all six rows, column 3 stays",
     r"the revolute columns are multiplied by $180/\pi$ in all six rows, column 3 stays",
 )
+RIGHT_REASON = "A slide moves all points of the hand alike, so that it does not matter where the point lies"
 REASONS = (
     "The slide passes through the origin of frame 2, so that its lever arm is zero",
     "The lengths cancel at the drawn posture; at other postures they appear",
-    "A slide moves all points of the hand alike, so that it does not matter where the point lies",
+    RIGHT_REASON,
     "Joint 3 stands in front of the wrist, and only lengths behind the wrist count",
 )
 
@@ -53,7 +57,7 @@ def transforms(v: Variant, _: Given) -> Array:
 
 
 def to_last_frame(given: Given) -> Array:
-    """The transform from frame 2 to frame 6, (4, 4)."""
+    """The pose of frame 6 in frame 2, (4, 4)."""
     poses: Array = given["prismatic_columns_frames"]
     return np.linalg.inv(poses)[SLIDE] @ poses[-1]
 
@@ -86,6 +90,11 @@ def with_axis_below(solve: Callable[[Variant, Given], Array]) -> Callable[[Varia
     return lambda v, given: np.tile(solve(v, given)[:3], 2)
 
 
+def with_stroke(solve: Callable[[Variant, Given], Array]) -> Callable[[Variant, Given], Array]:
+    """The column times q3, as a position has it."""
+    return lambda v, given: solve(v, given) * float(v["q"][SLIDE])
+
+
 def axis_before(_: Variant, given: Given) -> Array:
     return np.concatenate([given["prismatic_columns_frames"][SLIDE - 1, :3, 2], np.zeros(3)])
 
@@ -114,6 +123,23 @@ def with_slide_turning_too(v: Variant, given: Given) -> Array:
     return J
 
 
+def whole_with_stroke(v: Variant, given: Given) -> Array:
+    J = whole(v, given)
+    J[:, SLIDE] *= v["q"][SLIDE]
+    return J
+
+
+def weighed(v: Variant, given: Given, value: Array) -> Outcome:
+    """Column 3 earns its weight as a whole, the others share the rest; a wrong zero or one voids its column."""
+    J = whole(v, given)
+    right = np.abs(value - J) <= TOLERANCE
+    earning = (np.abs(np.abs(J)[..., None] - (0.0, 1.0)) > TOLERANCE).all(-1)
+    earned = right & earning & (right | earning).all(axis=0)
+    rest = float(np.delete(earned, SLIDE, 1).sum() / np.delete(earning, SLIDE, 1).sum())
+    share = (1 - WEIGHT) * rest + WEIGHT * float(right[:, SLIDE].all())
+    return Outcome(right, share=1.0 if right.all() else share)
+
+
 def one_frame_late(_: Variant, given: Given) -> Array:
     """Columns from frame i in place of frame i - 1."""
     poses: Array = given["prismatic_columns_frames"]
@@ -134,20 +160,26 @@ def last_axes(v: Variant, _: Given) -> Array:
     return in_last_frame(v, {})[:, SLIDE]
 
 
+def letter_of_reason(v: Variant, _: Given) -> str:
+    order: list[int] = v["reasons"]
+    return LETTERS[[REASONS[k] for k in order].index(RIGHT_REASON)]
+
+
 def letter_of_change(v: Variant, _: Given) -> str:
     letter: str = CHANGES[int(v["change"])][1]
     return letter
 
 
 def draw(rng: np.random.Generator) -> dict[str, Any]:
-    """A posture in which column 3 looks the same in no two readings, and a change of units."""
+    """A posture in which column 3 looks the same in no two readings, a change of units, and an order of the reasons."""
     change = int(rng.integers(len(CHANGES)))
 
     def drawn() -> dict[str, Any]:
         sizes = {"d2": length(rng, 0.1, 0.4), "d6": length(rng, 0.1, 0.4)}
         return {"change": change, **sizes, "q": [*angles(rng, 2), length(rng), *angles(rng, 3)]}
 
-    return until(drawn, shows_mistakes)
+    v = until(drawn, shows_mistakes)
+    return {**v, "reasons": [int(k) for k in rng.permutation(len(REASONS))]}
 
 
 def shows_mistakes(v: Variant) -> bool:
@@ -155,8 +187,13 @@ def shows_mistakes(v: Variant) -> bool:
     given = {"prismatic_columns_frames": frames(v)}
     right = (last_column(v, given), base_column(v, given))
     wrong = (
-        (turning_last_column(v, given), third_column_of_rotation(v, given), right[1]),
-        (turning_base_column(v, given), axis_before(v, given), right[0]),
+        (
+            turning_last_column(v, given),
+            third_column_of_rotation(v, given),
+            right[1],
+            with_stroke(last_column)(v, given),
+        ),
+        (turning_base_column(v, given), axis_before(v, given), right[0], with_stroke(base_column)(v, given)),
     )
     return min(np.abs(a - b).max() for a, others in zip(right, wrong, strict=True) for b in others) > SHOWS
 
@@ -170,7 +207,7 @@ def explain_last(_: Variant, given: Given) -> list[Step]:
             numbers=to_last_frame(given),
         ),
         Step(
-            r"It is $(n_z, o_z, a_z, 0, 0, 0)$ (S1, eq. 5.27): the third row of the rotation, which is $\mathbf z_2$ in the axes of frame 6, above "
+            r"It is $(n_z, o_z, a_z, 0, 0, 0)$: the third row of the rotation, which is $\mathbf z_2$ in the axes of frame 6, above "
             r"zeros, since a slide does not turn the hand:",
             r"\mathbf J_3^{6}",
             numbers=given["prismatic_columns_last"],
@@ -207,11 +244,12 @@ def explain_whole(_: Variant, given: Given) -> list[Step]:
     ]
 
 
-def explain_reason(_: Variant, __: Given) -> list[Step]:
+def explain_reason(v: Variant, _: Given) -> list[Step]:
     return [
         Step(
-            r"The column of a revolute joint holds $\mathbf z \times \mathbf r$ with the way $\mathbf r$ from its axis to the point, and so lengths. A "
-            r"slide gives every point of the hand the same velocity $\mathbf z_2$ per unit of its rate: no way $\mathbf r$ stands in it, at any posture."
+            rf"Reason {LETTERS.index(letter_of_reason(v, {})) + 1}. The column of a revolute joint holds $\mathbf z \times \mathbf r$ with "
+            r"the way $\mathbf r$ from its axis to the point, and so lengths. A slide gives every point of the hand the same velocity "
+            r"$\mathbf z_2$ per unit of its rate: no way $\mathbf r$ stands in it, at any posture."
         )
     ]
 
@@ -247,6 +285,7 @@ def drawings(v: Variant) -> tuple[Drawing, ...]:
 
 
 def statement(v: Variant) -> str:
+    reasons = "\n".join(f"- **reason {i}**: {REASONS[k]}." for i, k in enumerate(v["reasons"], 1))
     return rf"""In the Stanford arm joint 3 is a slide. Its table in the **standard** Denavit–Hartenberg convention:
 
 | $i$ | $\theta_i$ | $d_i$ | $a_i$ | $\alpha_i$ |
@@ -261,9 +300,14 @@ def statement(v: Variant) -> str:
 The point whose velocity is meant is the origin of frame 6. $\mathbf J^{{0}}$ is its Jacobian in base axes (frame 0), $\mathbf J^{{6}}$
 that of the same point in the axes of frame 6. In both the linear rows stand above the angular ones.
 
+Why does column 3 hold no lengths? One of these reasons is right:
+
+{reasons}
+
 For the question about units: **{CHANGES[int(v["change"])][0]}**."""
 
 
+STROKE = "The stroke itself does not belong there: what moves the hand is the rate of joint 3."
 COLUMN = Numbers((6,), "1", decimals=3)
 EXERCISE = Exercise(
     slug="prismatic_columns",
@@ -300,8 +344,9 @@ EXERCISE = Exercise(
                     third_column_of_rotation,
                 ),
                 Mistake("This is in base axes; the axes of frame 6 are asked.", base_axes),
+                Mistake(STROKE, with_stroke(last_column)),
             ),
-            hints=("Column 3 takes the transform from frame 2 to frame 6.", "A slide does not turn the hand."),
+            hints=("Column 3 takes the pose of frame 6 in frame 2.", "A slide does not turn the hand."),
             explain=explain_last,
         ),
         Part(
@@ -319,6 +364,7 @@ EXERCISE = Exercise(
                 ),
                 Mistake("The axis of joint i is z of frame i - 1; this one belongs to another joint.", axis_before),
                 Mistake("This is in the axes of frame 6; base axes are asked.", last_axes),
+                Mistake(STROKE, with_stroke(base_column)),
             ),
             hints=("Along which axis does joint 3 slide?",),
             explain=explain_base,
@@ -346,7 +392,10 @@ EXERCISE = Exercise(
                     one_frame_late,
                 ),
                 Mistake("This is in the axes of frame 6; base axes are asked.", in_last_frame),
+                Mistake(f"Column 3: {STROKE[:1].lower()}{STROKE[1:]}", whole_with_stroke),
             ),
+            check=weighed,
+            tolerance=TOLERANCE,
             hints=(
                 "Frames 2 and 3 have the same axes, but not the same origin.",
                 "The lever arm of every revolute column ends at the origin of frame 6.",
@@ -355,18 +404,18 @@ EXERCISE = Exercise(
         ),
         Part(
             "prismatic_columns_why",
-            r"The reason why no length, neither $d_2$ nor $d_6$ nor $q_3$, stands in column 3, though lengths stand in the linear rows of "
-            r"columns 1 and 2",
+            r"Which of the four reasons on the sheet says why no length, neither $d_2$ nor $d_6$ nor $q_3$, stands in column 3, though "
+            r"lengths stand in the linear rows of columns 1 and 2?",
             1,
-            Choice(REASONS),
-            lambda _, __: "c",
+            Choice(tuple(f"reason {i}" for i in range(1, len(REASONS) + 1))),
+            letter_of_reason,
             hints=("Let only joint 3 move, and compare the velocities of two points of the hand.",),
             explain=explain_reason,
         ),
         Part(
             "prismatic_columns_units",
-            r"What becomes of $\mathbf J^{0}$ when units change as your sheet says: $\mathbf J^{0} \dot{\mathbf q}$ shall be the twist of the same "
-            r"motion in the new units",
+            r"What becomes of $\mathbf J^{0}$ when units change as the sheet says, so that $\mathbf J^{0} \dot{\mathbf q}$ is the twist of the "
+            r"same motion in the new units?",
             2,
             Choice(UNIT_OPTIONS),
             letter_of_change,

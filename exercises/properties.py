@@ -9,6 +9,7 @@ from ..solutions.expression_array import POINTS, ExpressionArray, sample
 
 Array = NDArray[np.float64]
 TURN = 2 * np.pi
+LARGEST_ANGLE = 1e4  # beyond it, whole turns can no longer be taken off without rounding
 
 
 def parallel(value: ArrayLike, direction: ArrayLike, tolerance: float, *, sign: bool = False) -> bool:
@@ -80,9 +81,15 @@ def listed(
     own, all_wanted = np.atleast_2d(np.asarray(values, dtype=float)), np.atleast_2d(np.asarray(wanted, dtype=float))
     difference = own[:, None] - all_wanted[None]
     if periodic:
-        difference -= TURN * np.round(difference / TURN)
+        difference = turned(difference)
     same: NDArray[np.bool_] = np.asarray((np.abs(difference) <= tolerance).all(axis=-1))
     return np.asarray(np.logical_or.reduce(same, axis=1)), np.asarray(np.logical_or.reduce(same, axis=0))
+
+
+def turned(difference: ArrayLike) -> NDArray[np.float64]:
+    """Differences of angles less whole turns, in [-pi, pi]; infinite where the angles are too large to tell."""
+    angle = np.asarray(difference, dtype=float)
+    return np.where(np.abs(angle) > LARGEST_ANGLE, np.inf, angle - TURN * np.round(angle / TURN))
 
 
 def list_share(

@@ -293,6 +293,7 @@ EXERCISE = Exercise(
             Numbers((7,), "rad/s"),
             least_rates,
             needs=("pseudoinverse_pinv",),
+            follow=0.5,  # from a transposed or left inverse it is one product
             check=judged_least,
             mistakes=(
                 Mistake(

@@ -309,6 +309,7 @@ EXERCISE = Exercise(
                 ),
             ),
             needs=("rrt_dh",),
+            follow=0.5,  # formulas of one fixed form can be shared; numbers cannot
             hints=(
                 "The linear rows are also the derivatives of the tool point's coordinates.",
                 "Put in your numbers and compare with the Jacobian above.",
@@ -329,6 +330,7 @@ EXERCISE = Exercise(
                 ),
             ),
             needs=("rrt_J_symbolic",),
+            follow=0.5,
             check=named_multiple,
             hints=(
                 "Expand along the row that holds a zero.",
@@ -352,6 +354,7 @@ EXERCISE = Exercise(
                 ),
             ),
             needs=("rrt_det",),
+            follow=0.5,
             hints=(
                 "Where is the determinant zero? Take its factors one by one.",
                 "In such a posture the hand cannot move in one direction: which one, for each of your conditions?",

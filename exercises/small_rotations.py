@@ -53,7 +53,14 @@ def _is_telling(v: Variant) -> bool:
     after = rotation_at(v["form"], np.add(v["q"], np.array(v["dq"]) / k))
     nearer = rotation_vector(after @ rotation_at(v["form"], v["q"]).T) - first_order / k
     ratio = np.linalg.norm(dw - first_order) / np.linalg.norm(nearer)
-    others = (first_order, in_tool_axes(v), one_entry_each(v), angles_of_product(v), differences_of_angles(v))
+    others = (
+        first_order,
+        in_tool_axes(v),
+        -in_tool_axes(v),
+        one_entry_each(v),
+        angles_of_product(v),
+        differences_of_angles(v),
+    )
     return bool(
         min(np.abs(dw).min(), np.abs(first_order).min()) >= 0.008
         and np.linalg.norm(dw) <= 0.14
@@ -133,6 +140,12 @@ def in_tool_axes(v: Variant) -> Array:
     return rotation_vector(R1.T @ R2)
 
 
+def without_half(v: Variant) -> Array:
+    """Differences of opposite entries, which are twice the axis times the sine of the angle."""
+    R = np.array(v["R2"]) @ np.array(v["R1"]).T
+    return np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]])
+
+
 def one_entry_each(v: Variant) -> Array:
     """Components read off below the diagonal only, or above it."""
     R = np.array(v["R2"]) @ np.array(v["R1"]).T
@@ -181,7 +194,7 @@ def explain_between(v: Variant, given: Given) -> list[Step]:
 def explain_rows(v: Variant, given: Given) -> list[Step]:
     return [
         Step(
-            r"Column $i$ of $\mathbf B$ is $\xi_i \mathbf z_{i-1}$ (S0, eq. 4.10, in the standard convention): the axis of a revolute "
+            r"Column $i$ of $\mathbf B$ is $\xi_i \mathbf z_{i-1}$ in the standard convention: the axis of a revolute "
             r"joint, and zero for the prismatic one. In closed form:",
             r"\mathbf B",
             robot(v["form"]).symbolic().J[3:, :],
@@ -193,7 +206,7 @@ def explain_rows(v: Variant, given: Given) -> list[Step]:
 def explain_first_order(v: Variant, given: Given) -> list[Step]:
     return [
         Step(
-            r"One matrix times one vector (S0, eq. 4.9); the metres of the slide meet a column of zeros:",
+            r"One matrix times one vector; the metres of the slide meet a column of zeros:",
             r"\mathbf B\,d\mathbf q",
             numbers=given["small_rotations_Bdq"],
         )
@@ -205,7 +218,7 @@ def explain_factor(v: Variant, given: Given) -> list[Step]:
         Step(
             r"Rotations do not add. To second order "
             r"$d\mathbf w = \mathbf B\,d\mathbf q + \frac{1}{2} \cdot$ the sum of $dq_i\,dq_j\,\mathbf z_{i-1} \times \mathbf z_{j-1}$ over all pairs of "
-            r"revolute joints $i < j$. S0 prints eq. 4.11 with an equals sign; it holds to first order."
+            r"revolute joints $i < j$. An equals sign between $d\mathbf w$ and $\mathbf B\,d\mathbf q$ holds to first order only."
         ),
         Step(
             rf"The difference has products of two $dq$: divided by $k = {v['k']}$ each, it shrinks by $k^2 = {v['k'] ** 2}$. Yours is now",
@@ -257,6 +270,8 @@ them is the axis of the rotation in base axes times its angle, so that $\mathbf 
 the Jacobian in base axes are $\mathbf B$, and $\mathbf B\,d\mathbf q$ is nearly $d\mathbf w$."""
 
 
+TWICE = "It is twice too long: each difference of opposite entries counts half."
+
 EXERCISE = Exercise(
     slug="small_rotations",
     title="Small rotations and the angular rows of the Jacobian",
@@ -294,6 +309,12 @@ EXERCISE = Exercise(
                     "This is the rotation vector in axes of the tool frame; on which side of R1 does R(dw) stand?",
                     lambda v, _: in_tool_axes(v),
                 ),
+                Mistake(
+                    "This is the rotation vector of R2^T R1, the way back and in axes of the tool frame; which product is R(dw)?",
+                    lambda v, _: -in_tool_axes(v),
+                ),
+                Mistake(TWICE, lambda v, _: without_half(v)),
+                Mistake(TWICE, lambda v, _: 2 * between(v)),
                 Mistake(
                     "These are differences of roll, pitch and yaw angles; in space no three angles have dw as their changes.",
                     lambda v, _: differences_of_angles(v),
@@ -362,7 +383,7 @@ EXERCISE = Exercise(
         Part(
             "small_rotations_factor",
             r"By which factor, about, does the length of $d\mathbf w - \mathbf B\,d\mathbf q$ shrink when every entry of $d\mathbf q$ is divided by "
-            r"your $k$ and $\mathbf R_2$ is computed anew",
+            r"your $k$ and $\mathbf R_2$ is computed anew?",
             1,
             Choice(tuple(map(str, FACTORS))),
             factor,

@@ -18,6 +18,7 @@ from ..exercises.answers import (
     Variant,
 )
 from ..exercises.exercise import Credit, Part
+from ..exercises.properties import turned
 from ..exercises.values import names_on_sheet, table_numbers
 from ..solutions.expression_array import ExpressionArray, same_formulas
 from ..solutions.table import Table
@@ -73,8 +74,7 @@ def _right_cells(answer: TableOf, v: Variant, reference: Table, value: Table) ->
     allowed = np.array([4 * half, 6 * half, 6 * half, 4 * half])
     q = np.random.default_rng(0).uniform(-1, 1, (3, len(answer.kinds)))
     difference = table_numbers(value, v, q) - table_numbers(reference, v, q)
-    angle = difference[..., ANGLES]
-    difference[..., ANGLES] = angle - 2 * np.pi * np.round(angle / (2 * np.pi))
+    difference[..., ANGLES] = turned(difference[..., ANGLES])
     return np.less_equal(np.abs(difference).max(axis=0), allowed, dtype=bool)
 
 

@@ -1,7 +1,7 @@
 """Conditions such as sin(q2) = 0: do they hold where they should, and nowhere else?"""
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -15,7 +15,9 @@ LINES, STEPS = 6, 720  # grid lines along each joint, and steps along a line, a 
 HALVINGS = 60
 TURN = 2 * np.pi
 EDGE = 0.01  # rad beyond a full turn, so that solutions at its ends are inside
-HOLDS = 1e-6  # of the size of an expression: a double root is found to half the digits
+EXACT, HOLDS = 1e-12, 1e-6  # of the size of an expression on its line
+NEAR = 1e-4  # of its size a hundredth away: a double root is found to half the digits
+MOST_ZEROS = 64  # of an expression within a turn
 Domain = Mapping[str, tuple[float, float]]
 Points = dict[str, NDArray[np.float64]]
 
@@ -56,21 +58,23 @@ def judge_conditions(reference: Sequence[Expression], own: Sequence[Expression],
 
 
 def _roots(expression: Expression, domain: Domain, v: Variant) -> Points:
-    """Points of the domain where an expression is zero, found along lines parallel to every joint it holds."""
-    joints = [name for name in domain if name in expression.names]
+    """Points of the domain where an expression is zero, found along lines parallel to every joint it holds.
+
+    None are found for an expression that is zero more than 64 times on a line: it is no condition of this kind.
+    """
     found: list[Points] = []
-    for joint in joints:
+    for joint in (name for name in domain if name in expression.names):
         start = _spread(domain, LINES)
         low, high = domain[joint]
         low, high = (low - EDGE, high + EDGE) if _is_turn(domain[joint]) else (low, high)
         line = np.linspace(low, high, STEPS * math.ceil((high - low) / (TURN + 3 * EDGE)) + 1)
-        values: dict[str, Any] = {**v, **{name: x[:, None] for name, x in start.items()}, joint: line[None]}
-        along = np.broadcast_to(expression.at(values), (LINES, len(line)))
-        for number, place in _zeros_on_lines(expression, values, along, joint, line):
-            found.append({name: np.array([x[number]]) for name, x in start.items()} | {joint: np.array([place])})
+        number, place = _zeros(expression, v, start, joint, line)
+        if len(number) and np.bincount(number).max() > MOST_ZEROS * len(line) / STEPS:
+            return {name: np.zeros(0) for name in domain}
+        found.append({name: x[number] for name, x in start.items()} | {joint: place})
     if not found:
         return {name: np.zeros(0) for name in domain}
-    return {name: np.concatenate([point[name] for point in found]) for name in domain}
+    return {name: np.concatenate([points[name] for points in found]) for name in domain}
 
 
 def _spread(domain: Domain, count: int) -> Points:
@@ -79,69 +83,82 @@ def _spread(domain: Domain, count: int) -> Points:
     return {name: low + (high - low) * rng.uniform(0.05, 0.95, count) for name, (low, high) in domain.items()}
 
 
-def _zeros_on_lines(
-    expression: Expression, values: Mapping[str, Any], along: NDArray[np.float64], joint: str, line: NDArray[np.float64]
-) -> list[tuple[int, float]]:
-    """(line, place) of every zero: at grid points, where the sign changes, and where the size has a minimum at zero."""
-    found: list[tuple[int, float]] = []
+def _zeros(
+    expression: Expression, v: Variant, start: Points, joint: str, line: NDArray[np.float64]
+) -> tuple[NDArray[np.intp], NDArray[np.float64]]:
+    """Numbers of lines and places of zeros: at grid points, where the sign changes, and where the size dips to zero."""
+
+    def at(number: NDArray[np.intp], place: NDArray[np.float64]) -> NDArray[np.float64]:
+        values: dict[str, Any] = {**v, **{name: x[number] for name, x in start.items()}, joint: place}
+        return np.broadcast_to(expression.at(values), place.shape)
+
+    every = np.repeat(np.arange(LINES)[:, None], len(line), axis=1)
+    along = at(every, np.broadcast_to(line, every.shape))
     size = np.median(np.where(np.isfinite(along), np.abs(along), 0.0), axis=1)  # a pole is no measure
-    for number, row in enumerate(along):
-        fixed = {name: x[number, 0] if np.ndim(x) == 2 and x.shape[0] == LINES else x for name, x in values.items()}
-        at_zero = np.abs(row) <= 1e-12 * max(1.0, size[number])
-        if at_zero.all():
-            continue
-        found += [(number, float(x)) for x in line[at_zero]]
-        changes = np.flatnonzero((row[:-1] * row[1:] < 0) & ~at_zero[:-1] & ~at_zero[1:])
-        inner = np.abs(row)
-        dips = np.flatnonzero((inner[1:-1] < inner[:-2]) & (inner[1:-1] < inner[2:]) & (row[:-2] * row[2:] > 0)) + 1
-        for i in changes:
-            place = _bisected(expression, fixed, joint, float(line[i]), float(line[i + 1]))
-            if abs(_value(expression, fixed, joint, place)) <= 1e-6 * max(1.0, size[number]):  # else a pole
-                found.append((number, place))
-        for i in dips[~at_zero[dips]]:
-            place = _lowest(expression, fixed, joint, float(line[i - 1]), float(line[i + 1]))
-            if abs(_value(expression, fixed, joint, place)) <= 1e-12 * max(1.0, size[number]):
-                found.append((number, place))
-    return found
+    size = np.maximum(1.0, size)
+    at_zero = np.abs(along) <= EXACT * size[:, None]
+    at_zero &= ~at_zero.all(axis=1, keepdims=True)
+    exact = np.argwhere(at_zero)
+    changes = np.argwhere((along[:, :-1] * along[:, 1:] < 0) & ~at_zero[:, :-1] & ~at_zero[:, 1:])
+    inner = np.abs(along)
+    dips = (inner[:, 1:-1] < inner[:, :-2]) & (inner[:, 1:-1] < inner[:, 2:]) & (along[:, :-2] * along[:, 2:] > 0)
+    dips = np.argwhere(dips & ~at_zero[:, 1:-1])
+    crossed = _bisected(at, changes[:, 0], line[changes[:, 1]], line[changes[:, 1] + 1])
+    lowest = _lowest(at, dips[:, 0], line[dips[:, 1]], line[dips[:, 1] + 2])
+    crosses = np.abs(at(changes[:, 0], crossed)) <= HOLDS * size[changes[:, 0]]  # else a pole
+    touches = np.abs(at(dips[:, 0], lowest)) <= EXACT * size[dips[:, 0]]
+    numbers = (exact[:, 0], changes[crosses, 0], dips[touches, 0])
+    return np.concatenate(numbers), np.concatenate([line[exact[:, 1]], crossed[crosses], lowest[touches]])
 
 
-def _value(expression: Expression, fixed: Mapping[str, Any], joint: str, x: float) -> float:
-    return float(expression.at({**fixed, joint: x}))
+Along = Callable[[NDArray[np.intp], NDArray[np.float64]], NDArray[np.float64]]
 
 
-def _bisected(expression: Expression, fixed: Mapping[str, Any], joint: str, low: float, high: float) -> float:
-    below = _value(expression, fixed, joint, low)
+def _bisected(
+    at: Along, number: NDArray[np.intp], low: NDArray[np.float64], high: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Where the sign changes between low and high, all at once."""
+    below = at(number, low)
     for _ in range(HALVINGS):
         middle = 0.5 * (low + high)
-        here = _value(expression, fixed, joint, middle)
-        low, high = (middle, high) if below * here > 0 else (low, middle)
+        same = below * at(number, middle) > 0
+        low, high = np.where(same, middle, low), np.where(same, high, middle)
     return 0.5 * (low + high)
 
 
-def _lowest(expression: Expression, fixed: Mapping[str, Any], joint: str, low: float, high: float) -> float:
-    """Where the size is least, by thirds."""
+def _lowest(
+    at: Along, number: NDArray[np.intp], low: NDArray[np.float64], high: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Where the size is least between low and high, by thirds, all at once."""
     for _ in range(2 * HALVINGS):
         third = (high - low) / 3
-        left, right = (abs(_value(expression, fixed, joint, x)) for x in (low + third, high - third))
-        low, high = (low, high - third) if left <= right else (low + third, high)
+        left = np.abs(at(number, low + third)) <= np.abs(at(number, high - third))
+        low, high = np.where(left, low, low + third), np.where(left, high - third, high)
     return 0.5 * (low + high)
 
 
 def _any_zero(expressions: Sequence[Expression], points: Points, domain: Domain, v: Variant) -> NDArray[np.bool_]:
-    """At which points any of the expressions is zero, measured against its size over the domain.
+    """At which points any of the expressions is zero, measured against its size close by.
 
     Joints that may turn in full are looked at one turn before and after too: q2 = pi is q2 = -pi.
     """
-    count = _size(points)
-    hit = np.zeros(count, dtype=bool)
-    everywhere: dict[str, Any] = {**v, **_spread(domain, 64)}
+    hit = np.zeros(_size(points), dtype=bool)
     for expression in expressions:
-        typical = np.abs(np.broadcast_to(expression.at(everywhere), 64))
-        scale = float(np.median(typical[np.isfinite(typical)])) if np.isfinite(typical).any() else 1.0
         for shifted in _turned(points, domain):
-            here = np.broadcast_to(expression.at({**v, **shifted}), count)
-            hit |= np.abs(here) <= HOLDS * max(scale, 1e-9)
+            here = np.abs(np.broadcast_to(expression.at({**v, **shifted}), hit.shape))
+            hit |= here <= NEAR * _size_nearby(expression, shifted, v)
     return hit
+
+
+def _size_nearby(expression: Expression, points: Points, v: Variant) -> NDArray[np.float64]:
+    """The largest size of an expression a hundredth away along any joint: a flat stretch is no zero."""
+    moved = [
+        np.abs(np.broadcast_to(expression.at({**v, **points, name: points[name] + step}), _size(points)))
+        for name in points
+        if name in expression.names
+        for step in (-EDGE, EDGE)
+    ]
+    return np.max([np.where(np.isfinite(size), size, 0.0) for size in moved], axis=0) if moved else np.zeros(1)
 
 
 def _turned(points: Points, domain: Domain) -> Iterator[Points]:

@@ -8,21 +8,12 @@ from numpy.typing import NDArray
 
 from ..exercises.exercise import Numbers, Part
 from ..solutions.expression_array import ExpressionArray, sample
-from .verdict import Verdict
 
 Others = Mapping[str, Mapping[str, Any]]
 """Student to the recorded reference answers of that student's variant of the same exercise."""
 SAME = 2e-3  # two answers this close in every entry were not computed from different numbers
 TELLING = 5  # different numbers that an answer takes to tell whose it is: a joint axis alone is shared by many
 MOST_ZEROS = 0.25
-
-
-def may_be_followed(verdict: Verdict, copied: bool) -> bool:
-    """Whether later parts may be judged from an answer: it is partly right, or its mistake has a name.
-
-    An answer that is neither may be any numbers at all, and whatever is computed from them is no achievement.
-    """
-    return not copied and (bool(verdict.points) or any(not finding.private for finding in verdict.findings))
 
 
 def is_trivial(reference: Any, own: Any) -> bool:

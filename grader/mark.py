@@ -13,7 +13,7 @@ from ..solutions.expression_array import ExpressionArray
 from ..solutions.table import Table
 from .answer_key import AnswerKey, Wanted
 from .findings import findings
-from .follow import Others, is_trivial, may_be_followed, owner_of, zeros_pass
+from .follow import Others, is_trivial, owner_of, zeros_pass
 from .judge import Judged, judged
 from .read import UNANSWERED, Results, read
 from .unreadable import Unreadable
@@ -21,7 +21,7 @@ from .verdict import Finding, Verdict, not_graded
 from .wire import Raw
 
 MOST_TEXT = 400  # of a sentence that repeats what a student's process said
-LEAST_FOLLOWED = 0.5  # of the points: fewer entries that agree with other data agree by chance
+LEAST_FOLLOWED = 0.5  # of the points: less is right by chance, and what is computed from it is no achievement
 BY_HAND = "It is marked by hand."
 log = logging.getLogger(__name__)
 
@@ -33,7 +33,7 @@ class _Sheet:
     key: AnswerKey
     answers: dict[str, Any]
     verdicts: dict[str, Verdict]
-    copied: dict[str, str]
+    unfollowed: set[str]
 
 
 def mark(
@@ -48,7 +48,7 @@ def mark(
     Nothing follows from a wrong answer that is the right one of somebody in `others`. A `key` that was made for the
     same variant saves making it again.
     """
-    sheet = _Sheet(key or AnswerKey(exercise, v), {}, {}, {})
+    sheet = _Sheet(key or AnswerKey(exercise, v), {}, {}, set())
     for part in exercise.asked:
         raw = _present(raws.get(part.variable, Raw("missing")))
         if isinstance(part.answer, Manual):
@@ -68,7 +68,7 @@ def mark(
 
 def mark_part(key: AnswerKey, part: Part, raw: Raw) -> Verdict:
     """The verdict of one part by itself: nothing follows from other answers."""
-    sheet = _Sheet(key, {}, {}, {})
+    sheet = _Sheet(key, {}, {}, set())
     try:
         answer = read(part.answer, raw, key.v)
     except Unreadable as error:
@@ -84,7 +84,7 @@ def _mark_readable(sheet: _Sheet, part: Part, answer: Any, others: Others) -> No
         log.exception("%s could not be marked", part.variable)
         verdict = not_graded(part.variable, part.points, "The grader failed on this part; your answer is kept.")
     if verdict.status != "correct" and (owner := owner_of(part, answer, others)):
-        sheet.copied[part.variable] = owner
+        sheet.unfollowed.add(part.variable)
         found = Finding(f"This is the reference answer of {owner}'s variant.", private=True)
         verdict = replace(verdict, findings=(*verdict.findings, found))
     sheet.answers[part.variable], sheet.verdicts[part.variable] = answer, verdict
@@ -141,11 +141,14 @@ def _verdict(sheet: _Sheet, part: Part, answer: Any) -> Verdict:
     verdict = _written(part, found, answer)
     if verdict.status == "correct":
         return verdict
+    named = tuple(findings(sheet.key, part, wanted, answer, found.right))
+    if not named and found.share < LEAST_FOLLOWED:
+        sheet.unfollowed.add(part.variable)
     followed = _follow(sheet, part, answer)
     if followed and (followed.points or 0) > (verdict.points or 0):
+        sheet.unfollowed.discard(part.variable)
         return followed
-    more = () if found.reading else findings(sheet.key, part, wanted, answer, found.right)
-    return replace(verdict, findings=(*verdict.findings, *more))
+    return replace(verdict, findings=(*verdict.findings, *(() if found.reading else named)))
 
 
 def _written(part: Part, found: Judged, answer: Any) -> Verdict:
@@ -163,11 +166,7 @@ def _follow(sheet: _Sheet, part: Part, answer: Any) -> Verdict | None:
     """
     key = sheet.key
     own = [name for name in part.needs if name in sheet.answers]
-    if (
-        not own
-        or part.follow == 0
-        or not all(may_be_followed(sheet.verdicts[name], name in sheet.copied) for name in own)
-    ):
+    if not own or part.follow == 0 or sheet.unfollowed & set(own):
         return None
     given = {name: sheet.answers.get(name, key.reference[name]) for name in part.needs}
     try:

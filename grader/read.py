@@ -20,12 +20,13 @@ from ..exercises.answers import (
     Variant,
 )
 from .read_formulas import read_conditions, read_formulas
-from .read_numbers import read_configurations, read_numbers
+from .read_numbers import flat_texts, read_configurations, read_numbers
 from .read_table import read_table
 from .unreadable import Unreadable, clip
 from .wire import Raw
 
 UNANSWERED = "not answered"
+MOST_TEXT = 20_000  # characters of an argument in words
 NOTHING = "not a matrix of numbers: None"  # what the collector says of a call that returned None
 
 
@@ -84,7 +85,10 @@ def _result(raw: Raw) -> NDArray[np.float64] | str:
 def _text(_: Manual, raw: Raw, __: Variant) -> str:
     if raw.kind != "text":
         raise Unreadable("takes text in quotes")
-    return raw.value if isinstance(raw.value, str) else "\n".join(map(str, raw.value))
+    text = raw.value if isinstance(raw.value, str) else "\n".join(flat_texts(raw.value)[0])
+    if len(text) > MOST_TEXT:
+        raise Unreadable(f"takes up to {MOST_TEXT} characters, got {len(text)}")
+    return text
 
 
 _READERS: dict[type, Callable[[Any, Raw, Variant], Any]] = {

@@ -27,8 +27,9 @@ def read_formulas(answer: Formulas, raw: Raw, v: Variant) -> ExpressionArray:
         rows = _read(raw.value, lambda text: typed_matrix(text, names))
         entries, shape = [entry for row in rows for entry in row], (len(rows), len(rows[0]))
     else:
+        reshaped(np.zeros(_shape_of(raw)), answer.shape)  # refuses another shape before entries are read
         entries, shape = _entries(raw, names)
-    reshaped(np.zeros(shape), answer.shape)  # refuses another shape
+    reshaped(np.zeros(shape), answer.shape)
     return ExpressionArray(tuple(entries), answer.shape)
 
 
@@ -41,7 +42,8 @@ def read_conditions(answer: Conditions, raw: Raw, v: Variant) -> tuple[Expressio
     texts, _ = flat_texts(raw.value)  # a file has them in a row or a column
     found: list[Expression] = []
     for text in texts:
-        found += _read(text, lambda text: typed_equations(text, names))
+        if len(found) <= MOST_CONDITIONS:
+            found += _read(text, lambda text: typed_equations(text, names))
     if not 1 <= len(found) <= MOST_CONDITIONS:
         raise Unreadable(f"takes 1 to {MOST_CONDITIONS} conditions, got {len(found)}")
     return tuple(found)
@@ -54,12 +56,16 @@ def _read(text: str, read: Callable[[str], Any], where: str = "") -> Any:
         raise misread(error, where) from error
 
 
+def _shape_of(raw: Raw) -> tuple[int, ...]:
+    return raw.value.shape if raw.kind == "num" else flat_texts(raw.value)[1]
+
+
 def _entries(raw: Raw, names: tuple[str, ...]) -> tuple[list[Expression], tuple[int, ...]]:
     if raw.kind == "num":
         array = raw.value
         if np.iscomplexobj(array) or not np.isfinite(array).all():
             raise Unreadable("takes formulas, got numbers that are not finite and real")
-        return [parse(_constant(float(x)), ()) for x in array.ravel()], array.shape
+        return [_read(_constant(float(x)), lambda text: parse(text, ())) for x in array.ravel()], array.shape
     flat, shape = flat_texts(raw.value)
     places = np.ndindex(shape)
     entries = [

@@ -86,7 +86,7 @@ def test_the_row_that_s1_prints_earns_nothing_and_is_named():
     for seed in range(5):
         found = marked(variant_of("articulated_derivatives", seed), x=s1)["x"]
         assert found.points == 0
-        assert any("in the source" in finding.text for finding in found.findings)
+        assert any("on the slides" in finding.text for finding in found.findings)
 
 
 def test_shorthands_are_read_and_a_wrong_zero_costs_one_derivative():
@@ -130,7 +130,10 @@ def test_columns_5_and_6_of_the_point_q_are_as_the_right_letter_says():
         if letter == "b":  # a point of link 4: joints 5 and 6 are behind it
             assert "between joints 4 and 5" in ARM.statement(v)
             continue
-        q_point = T[:3, 3] + 0.12 * T[:3, 2] + (0.05 * beside if letter == "e" else 0)
+        far, near = (x / 100 for x in v["away"])
+        assert f"{far:.2f} m along axis 6" in ARM.statement(v)
+        assert (f"{near:.2f} m beside" in ARM.statement(v)) == (letter == "e")
+        q_point = T[:3, 3] + far * T[:3, 2] + (near * beside if letter == "e" else 0)
         J = jacobian(chain, v["q"], point=q_point)[:3, 4:]
         assert tuple(bool(np.linalg.norm(column) < 1e-9) for column in J.T) == zero[letter]
         assert ("beside that axis" in ARM.statement(v)) == (letter == "e")

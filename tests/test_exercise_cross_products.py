@@ -91,3 +91,59 @@ def test_a_jacobian_of_wrong_levers_is_followed_through():
     verdicts = {verdict.part: verdict for verdict in mark(EXERCISE, v, raw)}
     assert verdicts["cross_products_linear"].status != "correct"
     assert verdicts["cross_products_J"].points == J.points
+
+
+def columns_at(v, *joints):
+    """Axes as printed and the linear parts z x (p - p_i) of these joints."""
+    w = [np.array(v[f"w{joint}"], dtype=float) for joint in joints]
+    levers = [np.array(v["p"]) - v[f"p{joint}"] for joint in joints]
+    linear = [np.cross(axis / np.linalg.norm(axis), lever) for axis, lever in zip(w, levers, strict=True)]
+    return np.array(w).T, np.array(linear).T
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_wrong_columns_of_the_slide_are_named_alone_and_in_the_jacobian(seed):
+    v = variant_of("cross_products", seed)
+    slides = v["kinds"].index("P") + 1
+    w, linear = columns_at(v, slides)
+    z, others = w[:, 0] / np.linalg.norm(w), [columns_at(v, joint)[0][:, 0] for joint in (1, 2, 3) if joint != slides]
+    wrong = [
+        (np.append(linear, z), "column of a revolute joint"),
+        (np.append(linear, np.zeros(3)), "lever arm"),
+        (np.append(z, z), "angular part"),
+        (np.append(w, np.zeros(3)), "used as printed"),
+        *((np.append(other / np.linalg.norm(other), np.zeros(3)), "another joint") for other in others),
+    ]
+    for column, words in wrong:
+        alone = verdict_of(v, "cross_products_slide", column)
+        assert (alone.points, words in alone.findings[0].text) == (0, True)
+        J = references(EXERCISE, v)["cross_products_J"]
+        J[:, slides - 1] = column
+        together = verdict_of(v, "cross_products_J", J)
+        assert together.points < together.out_of
+        assert words in together.findings[0].text
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_columns_of_the_slide_among_the_revolute_ones_are_named(seed):
+    v = variant_of("cross_products", seed)
+    slides = v["kinds"].index("P") + 1
+    for pair in ((1, 2), (1, 3), (2, 3)):
+        verdict = verdict_of(v, "cross_products_linear", columns_at(v, *pair)[1])
+        assert (verdict.status == "correct") == (slides not in pair)
+        if slides in pair:
+            assert "the joint that slides" in verdict.findings[0].text
+
+
+def test_printed_directions_and_reversed_products_are_named_in_the_jacobian():
+    v = variant_of("cross_products", 0)
+    J = references(EXERCISE, v)["cross_products_J"]
+    turning = [i for i, kind in enumerate(v["kinds"]) if kind == "R"]
+    sizes = np.linalg.norm([v[f"w{i}"] for i in (1, 2, 3)], axis=1)
+    rows = np.zeros((6, 3))
+    rows[3:, turning] = J[3:, turning]
+    backward = J.copy()
+    backward[:3, turning] *= -1
+    for wrong, words in ((J * sizes, "as printed"), (J + rows * (sizes - 1), "angular rows"), (backward, "reversed")):
+        verdict = verdict_of(v, "cross_products_J", wrong)
+        assert words in verdict.findings[0].text

@@ -104,3 +104,51 @@ def test_links_in_the_modified_order_are_followed_through():
     verdicts = verdicts_of(v, given)
     assert verdicts["dh_transforms_links"].status != "correct"
     assert verdicts["dh_transforms_frames"].points == frames.points
+
+
+def wrong_units(v, columns):
+    """The links of somebody who takes the degrees of these columns for radians."""
+    table = printed_rows(v)
+    for i, row in enumerate(table):
+        if "theta" in columns:
+            row["theta"] += v["offset"][i] - np.radians(v["offset"][i])
+        if "alpha" in columns:
+            row["alpha"] = v["alpha"][i]
+    return np.array([link(**row) for row in table])
+
+
+@pytest.mark.parametrize(
+    ("columns", "words"),
+    [("theta", "column of theta, printed in degrees"), ("alpha", "angles alpha"), ("theta alpha", "of the table")],
+)
+@pytest.mark.parametrize("seed", SEEDS)
+def test_degrees_of_the_table_taken_for_radians_are_named_and_followed(columns, words, seed):
+    v = variant_of("dh_transforms", seed)
+    links = wrong_units(v, columns)
+    answers = {
+        "dh_transforms_links": links,
+        "dh_transforms_frames": np.array([links[0] @ links[1], links[0] @ links[1] @ links[2]]),
+    }
+    verdicts = verdicts_of(v, answers)
+    assert words in verdicts["dh_transforms_links"].findings[0].text
+    assert verdicts["dh_transforms_frames"].points == verdicts["dh_transforms_frames"].out_of
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_degrees_in_the_formulas_are_named(seed):
+    v = variant_of("dh_transforms", seed)
+    right = references(EXERCISE, v)["dh_transforms_first"].text()
+    quarter = {-90: "- pi/2", 90: "+ pi/2", 180: "+ pi"}[v["offset"][0]]
+    wrong = [[cell.replace(f"q1 {quarter}", f"q1 {v['offset'][0]:+d}") for cell in row] for row in right]
+    verdict = verdicts_of(v, {"dh_transforms_first": wrong})["dh_transforms_first"]
+    assert "column of theta, printed in degrees" in verdict.findings[0].text
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_the_sheet_has_one_minus_sign_and_names_no_source(seed):
+    v = variant_of("dh_transforms", seed)
+    said = EXERCISE.statement(v)
+    assert not [line for line in said.splitlines() if line.startswith("| $") and "-" in line]
+    assert "S2" not in said
+    slide = v["kinds"].index("P") + 1
+    assert f"writes q{slide} for the stroke s{slide}" in EXERCISE.drawings(v)[0].caption

@@ -76,6 +76,7 @@ def test_the_printed_transforms_are_those_of_the_table_and_their_columns_those_o
         np.testing.assert_allclose(given[f"T{name}"], T, atol=5.01e-5)
         J = answers["last_frame_columns_J"]
         np.testing.assert_allclose(answers[f"last_frame_columns_{name}"], J[:, i - 1], atol=5e-4)
+        assert "the pose of frame 6 in frame $i-1$" in COLUMNS.statement(v)
         assert rf"T{name} is $\mathbf T_{{{i - 1}}}^{{6}}$" in COLUMNS.statement(v)
 
 
@@ -86,6 +87,57 @@ def test_a_column_on_paper_may_come_from_exact_transforms_too(seed):
     exact = {f"last_frame_columns_{name}": J[:, i - 1] for name, i in zip("AB", v["columns"], strict=True)}
     raws = right_raws(COLUMNS, v) | {name: Raw("num", np.round(x, 3)) for name, x in exact.items()}
     assert [verdict.status for verdict in mark(COLUMNS, v, raws)] == ["correct"] * 4
+
+
+def modified(theta, d, a, alpha):
+    c, s, k, t = np.cos(theta), np.sin(theta), np.cos(alpha), np.sin(alpha)
+    return np.array([[c, -s, 0, a], [s * k, c * k, -t, -d * t], [s * t, c * t, k, d * k], [0, 0, 0, 1]])
+
+
+def own_way(given, q, link, right_angle):
+    """J in the last frame and its rotation by somebody who has another link transform or another right angle."""
+    rows = [
+        (0, 0, right_angle), (0, given["a2"], 0), (0, given["a3"], 0), (0, given["a4"], -right_angle),
+        (0, 0, right_angle), (given["d6"], 0, 0),
+    ]  # fmt: skip
+    links = [link(theta, *row) for theta, row in zip(q, rows, strict=True)]
+    T = [np.linalg.multi_dot([*links[i:], np.eye(4)]) for i in range(6)]
+    return np.array([column(to_last) for to_last in T]).T, T[0][:3, :3]
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+@pytest.mark.parametrize(
+    ("link", "right_angle", "factor", "word"),
+    [(modified, QUARTER, 1, "modified"), (link, 90, 180 / np.pi, "degrees")],
+)
+def test_another_convention_and_degrees_are_named_in_both_matrices(seed, link, right_angle, factor, word):
+    v = variant_of("last_frame_columns", seed)
+    given = sheet(v)
+    J, R = own_way(given, factor * np.array(given["q"]), link, right_angle)
+    base = np.concatenate([R @ J[:3], R @ J[3:]])
+    raws = right_raws(COLUMNS, v)
+    raws |= {"last_frame_columns_J": Raw("num", J), "last_frame_columns_base": Raw("num", base)}
+    found = mark(COLUMNS, v, raws)[2:]
+    assert all(verdict.points < verdict.out_of / 2 for verdict in found)
+    assert word in found[0].findings[0].text
+    alone = mark(COLUMNS, v, right_raws(COLUMNS, v) | {"last_frame_columns_base": Raw("num", turned_by(R, v))})[3]
+    assert word in alone.findings[0].text
+
+
+def turned_by(R, v):
+    J = references(COLUMNS, v)["last_frame_columns_J"]
+    return np.concatenate([R @ J[:3], R @ J[3:]])
+
+
+def test_reversed_linear_rows_and_an_unturned_jacobian_are_named():
+    v = variant_of("last_frame_columns", 1)
+    J = references(COLUMNS, v)["last_frame_columns_J"]
+    raws = right_raws(COLUMNS, v)
+    reversed_rows = raws | {"last_frame_columns_J": Raw("num", np.concatenate([-J[:3], J[3:]]))}
+    assert "Every sign of the linear rows" in mark(COLUMNS, v, reversed_rows)[2].findings[0].text
+    unturned = mark(COLUMNS, v, raws | {"last_frame_columns_base": Raw("num", J)})[3]
+    assert unturned.points == 0
+    assert "still in the axes of frame 6" in unturned.findings[0].text
 
 
 def test_base_axes_in_place_of_the_last_frame_are_named_and_followed():

@@ -76,7 +76,44 @@ def test_one_option_alone_gives_the_same_motion_in_the_new_units(change):
 def test_all_changes_of_units_are_drawn_and_stand_on_the_sheet():
     drawn = [json.loads(json.dumps(COLUMNS.draw(np.random.default_rng(seed)))) for seed in range(12)]
     assert {v["change"] for v in drawn} == {0, 1, 2}
-    assert len({COLUMNS.statement(v) for v in drawn}) == 3
+    assert len({COLUMNS.statement(v).splitlines()[-1] for v in drawn}) == 3
+
+
+def test_the_right_reason_stands_where_its_letter_says_and_moves_between_students():
+    drawn = [variant_of("prismatic_columns", seed) for seed in range(16)]
+    letters = [references(COLUMNS, v)["prismatic_columns_why"] for v in drawn]
+    assert set(letters) == set("abcd")
+    for v, letter in zip(drawn, letters, strict=True):
+        assert (
+            f"**reason {'abcd'.index(letter) + 1}**: A slide moves all points of the hand alike" in COLUMNS.statement(v)
+        )
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_a_turning_slide_in_an_otherwise_right_j_costs_two_fifths(seed):
+    v = variant_of("prismatic_columns", seed)
+    answers = references(COLUMNS, v)
+    part = next(part for part in COLUMNS.parts if part.variable == "prismatic_columns_J")
+    right = right_raws(COLUMNS, v)
+    for mistake in (part.mistakes[0], part.mistakes[1], part.mistakes[-1]):
+        verdict = mark(COLUMNS, v, right | {part.variable: Raw("num", mistake.solve(v, answers))})[2]
+        assert verdict.points == pytest.approx(2.4)
+        assert [finding.text for finding in verdict.findings] == [mistake.sentence]
+    other = answers[part.variable].copy()
+    other[:, 1] *= -1
+    verdict = mark(COLUMNS, v, right | {part.variable: Raw("num", other)})[2]
+    assert 3 < verdict.points < 4
+
+
+@pytest.mark.parametrize("name", ["last", "base"])
+def test_a_column_times_the_stroke_is_named(name):
+    v = variant_of("prismatic_columns", 3)
+    variable = f"prismatic_columns_{name}"
+    times = references(COLUMNS, v)[variable] * v["q"][2]
+    verdicts = mark(COLUMNS, v, right_raws(COLUMNS, v) | {variable: Raw("num", times)})
+    verdict = next(verdict for verdict in verdicts if verdict.part == variable)
+    assert verdict.points == 0
+    assert "stroke" in verdict.findings[0].text
 
 
 def test_the_column_of_the_slide_holds_no_lengths_while_others_do():

@@ -95,3 +95,29 @@ def test_the_way_back_and_first_order_are_told_apart_from_the_rotation_vector(se
     assert (first.points, "This is B dq" in first.findings[0].text) == (0, True)
     exact = verdict_of(v, "small_rotations_Bdq", got["small_rotations_dw"])
     assert (exact.points, "This is dw" in exact.findings[0].text) == (0, True)
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_a_missing_half_and_the_way_back_in_tool_axes_are_named(seed):
+    v = variant_of("small_rotations", seed)
+    R1, R2 = np.array(v["R1"]), np.array(v["R2"])
+
+    def differences(R):
+        return np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]])
+
+    wrong = [
+        (differences(R2 @ R1.T), "twice too long"),
+        (2 * references(EXERCISE, v)["small_rotations_dw"], "twice too long"),
+        (0.5 * differences(R2.T @ R1), "R2^T R1"),
+    ]
+    for value, words in wrong:
+        verdict = verdict_of(v, "small_rotations_dw", np.round(value, 4))
+        assert (verdict.points, words in verdict.findings[0].text) == (0, True)
+
+
+def test_questions_end_as_questions_and_name_no_source():
+    v = variant_of("small_rotations", 0)
+    got = references(EXERCISE, v)
+    assert EXERCISE.asked[-1].prompt.endswith("?")
+    said = EXERCISE.statement(v) + "".join(step.text for part in EXERCISE.asked for step in part.explain(v, got))
+    assert "S0" not in said

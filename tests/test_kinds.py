@@ -327,3 +327,29 @@ def test_how_a_typed_number_was_read_is_said():
 @pytest.mark.parametrize("part", [CHOICE, LENGTH, formulas()])
 def test_blank_text_is_no_answer(part):
     assert verdict(part, " \n").status == "missing"
+
+
+@pytest.mark.parametrize("angle", [1e5, 1e17, 1e308])
+def test_an_angle_too_large_for_whole_turns_is_no_solution(angle):
+    assert verdict(LISTED, np.array([angle])).points == 0
+
+
+def test_a_number_too_large_for_a_formula_is_the_students_own_fault():
+    found = verdict(formulas((3,), ["l1", "q1", "q2"]), np.array([1e13, 0, 0]))
+    assert (found.status, found.points) == ("failed", 0)
+
+
+def test_a_long_argument_is_refused():
+    by_hand = Part("t_x", "x?", 2, Manual(((2, "all"),)), lambda *_: "key")
+    assert verdict(by_hand, [["a" * 400] * 60]).status == "failed"
+
+
+def test_what_agrees_in_few_entries_is_not_followed():
+    """Answers that are less than half right are no ground for what is computed from them."""
+    first = Part("t_x", "x?", 2, Numbers((4,), decimals=3), lambda v, _: v["l1"] * np.array([1.1, 2.3, 3.7, 4.9]))
+    second = Part("t_y", "y?", 2, Numbers((4,), decimals=3), lambda _, given: given["t_x"] * 3, needs=("t_x",))
+    exercise = exercise_of(first, second, draw=lambda rng: {**V, "l1": float(rng.uniform(0.4, 1.2))})
+    own = references(exercise, V)["t_x"] + [0, 0.31, 0.17, 0.23]
+    for wrong, points in ((own, 0), (own * [1, 1, 0, 0] + references(exercise, V)["t_x"] * [0, 0, 1, 1], 2)):
+        found = mark(exercise, V, {"t_x": Raw("num", wrong), "t_y": Raw("num", 3 * wrong)})
+        assert found[1].points == pytest.approx(points, abs=0.6), found
