@@ -207,6 +207,9 @@ def _unrendered(exercise: Exercise, v: dict[str, Any], key: AnswerKey, *, in_ful
     for part in exercise.asked:
         page_text(part.prompt)
         texts += [part.prompt, *part.hints, *worked_steps(part, v, key.reference)]
+        for mistake in part.mistakes:
+            if "$" in mistake.sentence:
+                yield part.variable, f"a finding is plain text, without LaTeX: {mistake.sentence[:60]}"
     for text in texts:
         if text.count("$") % 2:
             yield "", f"a dollar sign is left open in: {text[:60]}"

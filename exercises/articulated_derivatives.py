@@ -184,7 +184,7 @@ def row_part(i: int) -> Part:
         check=shared(i),
         mistakes=(
             Mistake(
-                r"Look again at the angles that are sums: which links move when $q_2$ alone changes?",
+                r"Look again at the angles that are sums: which links move when q2 alone changes?",
                 lambda v, _: row(v, i, terms={2: (2,), 3: (3,), 4: (4,)}),
             ),
             Mistake(

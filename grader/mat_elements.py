@@ -8,22 +8,26 @@ import math
 import zlib
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass
+from itertools import islice
 from typing import Literal
 
 import numpy as np
 
 from ..solutions.errors import KinegradeError
-from .wire import MAX_ANSWER, MAX_ELEMENTS
+from .wire import MAX_ANSWER, MAX_ELEMENTS, MAX_TEXT
 
 Order = Literal["little", "big"]
 Element = tuple[int, memoryview]
-HEADER, MAX_UNPACKED, DEPTH = 128, 64 << 20, 3
+HEADER, DEPTH = 128, 3
+MAX_UNPACKED, MAX_VARIABLES, MAX_CELLS = 4 << 20, 1000, 512
+MOST = {"cells": MAX_CELLS, "numbers": MAX_ELEMENTS, "characters": MAX_CELLS * MAX_TEXT}  # of one variable
 MATRIX, COMPRESSED = 14, 15
 CELL, STRUCT, OBJECT, CHAR, SPARSE, FUNCTION, OPAQUE = 1, 2, 3, 4, 5, 16, 17
 NUMERIC = range(6, 16)
 BYTES = {1: 1, 2: 1, 3: 2, 4: 2, 5: 4, 6: 4, 7: 4, 9: 8, 12: 8, 13: 8}  # of one number, by the type of an element
 CHARACTERS = {1: 1, 2: 1, 4: 2, 16: 1, 17: 2, 18: 4}  # at least, of one character
 INT32 = 5
+UNPACKED = f"the file unpacks to more than {MAX_UNPACKED >> 20} MB; save only your answers"
 RESAVE = "save it with save('name.mat', ..., '-v7')"
 REFUSED = {
     STRUCT: "a struct cannot be marked; hand in a matrix, text or a cell array",
@@ -70,20 +74,26 @@ def variables(data: bytes, order: Order, names: Collection[str]) -> Iterator[tup
     """Name and unpacked bytes, tag included, of the variables that are asked.
 
     Raises:
-        MatError: the file is cut off or damaged, or unpacks to more than 64 MB; what came before holds.
+        MatError: the file is cut off or damaged, unpacks to more than 4 MB or has more than 1000 variables; what came
+            before holds.
     """
-    left, position = MAX_UNPACKED, HEADER
+    left, position, count = MAX_UNPACKED, HEADER, 0
     while position < len(data):
+        count += 1
+        if count > MAX_VARIABLES:
+            raise MatError(f"the file has more than {MAX_VARIABLES} variables; save only your answers")
         kind, size = _tag(data, position, order)
         end = position + 8 + size
         if end > len(data):
             raise MatError("the file is cut off")
         element = _unpacked(data[position + 8 : end], left) if kind == COMPRESSED else data[position:end]
         left -= len(element)
+        if left < 0:
+            raise MatError(UNPACKED)
         position = end
         if len(element) < 8 or _tag(element, 0, order) != (MATRIX, len(element) - 8):
             raise MatError("the file is damaged")
-        name = array_of(memoryview(element)[8:], order).name
+        name = array_of(memoryview(element)[8:], order, 0).name
         if name in names:
             yield name, element
 
@@ -101,7 +111,7 @@ def _unpacked(packed: bytes, most: int) -> bytes:
     except zlib.error as error:
         raise MatError("the file is damaged") from error
     if len(data) > most:
-        raise MatError(f"the file unpacks to more than {MAX_UNPACKED >> 20} MB; save only your answers")
+        raise MatError(UNPACKED)
     if not stream.eof:
         raise MatError("the file is cut off")
     return data
@@ -124,13 +134,13 @@ def _elements(data: memoryview, order: Order) -> Iterator[Element]:
         position += step
 
 
-def array_of(data: memoryview, order: Order) -> Array:
-    """An array from the content of its element.
+def array_of(data: memoryview, order: Order, most: int = MAX_CELLS + 1) -> Array:
+    """An array from the content of its element, with no more than `most` elements of values.
 
     Raises:
         MatError: it is damaged.
     """
-    parts = tuple(_elements(data, order))
+    parts = tuple(islice(_elements(data, order), 4 + most))
     if len(parts) < 3 or parts[0][0] != 6 or len(parts[0][1]) != 8:
         raise MatError("the file is damaged")
     flags = int.from_bytes(parts[0][1][:4], order)
@@ -145,35 +155,64 @@ def array_of(data: memoryview, order: Order) -> Array:
     return Array(bytes(name).decode("latin-1"), kind, imaginary, sizes, parts[3:])
 
 
-def check(array: Array, order: Order, depth: int = DEPTH) -> None:
-    """Nothing, when the array can be read by scipy as what it says it is.
+def check(array: Array, order: Order) -> None:
+    """Nothing, when the array can be read by scipy as what it says it is and is no larger than an answer.
+
+    All that its cells hold is counted together, as it will be in memory and not as it is stored: 4096 numbers, 512
+    cells, 204 800 characters.
 
     Raises:
         MatError: it is of a class that cannot be marked, too large, or damaged.
     """
+    left = dict(MOST)
+    for inner in _arrays(array, order, DEPTH):
+        for what, amount in _amounts(inner).items():
+            left[what] -= amount
+            if left[what] < 0:
+                raise MatError(f"too large: it has more than {MOST[what]} {what}, in all its cells together")
+
+
+def _arrays(array: Array, order: Order, depth: int) -> Iterator[Array]:
+    """The array and all in its cells, each of them checked; a cell array comes before anything in it is looked at."""
     if array.kind == OPAQUE:
         raise MatError(OPAQUES.get(array.object_class, REFUSED[OBJECT]))
     if array.kind in REFUSED:
         raise MatError(REFUSED[array.kind])
-    count = math.prod(array.shape)
     if min(array.shape) < 0 or len(array.shape) > 4:
         raise MatError("the file is damaged")
-    if count > (MAX_ANSWER if array.kind == CHAR else MAX_ELEMENTS):
-        raise MatError(f"too large: an array of {' x '.join(map(str, array.shape))}")
+    most = {CELL: MAX_CELLS, CHAR: MAX_ANSWER}.get(array.kind, MAX_ELEMENTS)
+    if _size(array.shape) > most:
+        raise MatError(f"too large: an array of {' x '.join(map(str, array.shape))}; {most} can be read here")
     if array.kind == CELL:
-        _check_cells(array, order, count, depth)
-    elif not (_is_sparse(array, order) if array.kind == SPARSE else _is_plain(array, count)):
+        yield array
+        yield from _cells(array, order, depth)
+    elif _is_sparse(array, order) if array.kind == SPARSE else _is_plain(array, math.prod(array.shape)):
+        yield array
+    else:
         raise MatError("the file is damaged")
 
 
-def _check_cells(array: Array, order: Order, count: int, depth: int) -> None:
+def _cells(array: Array, order: Order, depth: int) -> Iterator[Array]:
     if not depth:
         raise MatError("not a matrix: cell arrays are nested too deeply")
-    if len(array.parts) != count or any(kind != MATRIX for kind, _ in array.parts):
+    if len(array.parts) != math.prod(array.shape) or any(kind != MATRIX for kind, _ in array.parts):
         raise MatError("the file is damaged")
     for _, content in array.parts:
         if len(content):  # an empty element is an empty matrix
-            check(array_of(content, order), order, depth - 1)
+            yield from _arrays(array_of(content, order), order, depth - 1)
+
+
+def _amounts(array: Array) -> dict[str, int]:
+    """How much of an answer it takes up itself; every row of text after the first is one more cell."""
+    size = _size(array.shape)
+    if array.kind == CHAR:
+        return {"characters": size, "cells": _size(array.shape[:-1]) - 1}
+    return {"cells" if array.kind == CELL else "numbers": size}
+
+
+def _size(shape: tuple[int, ...]) -> int:
+    """Entries of an array; a million rows of nothing are a million."""
+    return math.prod(max(length, 1) for length in shape)
 
 
 def _is_plain(array: Array, count: int) -> bool:

@@ -13,7 +13,7 @@ from .mat_elements import MatError, Order, array_of, byte_order, check, variable
 from .named_matrices import every, raw_value
 from .wire import Raw
 
-MAX_BYTES = 20 << 20
+MAX_BYTES = 4 << 20
 MINIMAL_HEADER = b"MATLAB 5.0 MAT-file".ljust(116) + bytes(8)
 
 

@@ -13,16 +13,19 @@ from .semicolons import Ambiguous, rows_of
 from .wire import MAX_ANSWER, MAX_ELEMENTS, MAX_ROWS, MAX_TEXT, Raw
 
 MAX_BYTES = 2 << 20
+MAX_MARKS = 100_000  # of what stands between values or nests them, in a whole file
+LONE_SURROGATE = re.compile("[\ud800-\udfff]")
 KINDS = {"dict": "an object", "bool": "true or false", "NoneType": "null"}
 
 
 def from_json(data: bytes, asks: Sequence[Ask]) -> dict[str, Raw]:
     """Values of a JSON object such as {"rrt_J": [[...], ...]}; a broken file is an error of every answer.
 
-    The results of published calls are a list, one result after another.
+    The results of published calls are a list, one result after another. Half a surrogate pair in a text, which no file
+    could hold, becomes the replacement character.
     """
     try:
-        values: Any = json.loads(_decode(data), parse_int=float)
+        values: Any = json.loads(_decode(data, ",:[{"), parse_int=float)
     except (ValueError, RecursionError) as error:
         return every(asks, f"the file is not JSON: {error}")
     if not isinstance(values, dict):
@@ -40,7 +43,7 @@ def from_csv(data: bytes, asks: Sequence[Ask]) -> dict[str, Raw]:
     """
     known = {ask.name: ask for ask in asks}
     try:
-        rows = rows_of(_decode(data))
+        rows = rows_of(_decode(data, ",;()\r\n"))
         blocks = _blocks(rows, known)
     except Ambiguous as error:
         return every(asks, str(error))
@@ -63,6 +66,9 @@ def _blocks(rows: list[list[str]], known: dict[str, Ask]) -> dict[str, dict[int,
 
 
 def _of_blocks(blocks: dict[int, list[list[str]]], ask: Ask) -> Raw:
+    cells = sum(len(row) for rows in blocks.values() for row in rows)
+    if cells > MAX_ELEMENTS:
+        return Raw("error", f"too large: it has {cells} cells; an answer may have {MAX_ELEMENTS}")
     numbered = [number for number in blocks if number]
     if not numbered:
         return raw_value(_typed(blocks.get(0, [])), ask)
@@ -79,9 +85,12 @@ def _typed(rows: list[list[str]]) -> Any:
         return rows[0][0] if len(rows) == len(rows[0]) == 1 else [[*row] for row in rows]
 
 
-def _decode(data: bytes) -> str:
+def _decode(data: bytes, marks: str) -> str:
+    """The text of a file; refused before it is taken apart where it has far more parts than any answers have."""
     if len(data) > MAX_BYTES:
         raise ValueError(f"it has {len(data) >> 20} MB, answers fit into {MAX_BYTES >> 20}")
+    if sum(data.count(mark.encode()) for mark in marks) > MAX_MARKS:
+        raise ValueError(f"it has more than {MAX_MARKS} values, lines or brackets; hand in only your answers")
     return data.decode("utf-8-sig")
 
 
@@ -95,6 +104,8 @@ def raw_value(value: Any, ask: Ask) -> Raw:
 
     Where results of calls were asked, a list whose parts have different shapes is a list of results.
     """
+    if _leaves(value, MAX_ELEMENTS) > MAX_ELEMENTS:
+        return Raw("error", f"too large: it has more than {MAX_ELEMENTS} entries")
     raw = _raw(value)
     if raw.kind != "error" or not ask.calls or not isinstance(value, list) or len(value) > MAX_CALLS:  # pyright: ignore[reportUnknownArgumentType]
         return raw
@@ -104,6 +115,18 @@ def raw_value(value: Any, ask: Ask) -> Raw:
     if all(result.kind in ("missing", "error") for result in results):
         return raw
     return Raw("calls", results, listed=True)
+
+
+def _leaves(value: Any, most: int, depth: int = 6) -> int:
+    """Numbers, texts and empty lists in a value, counted no further than it takes to know that they are too many."""
+    if not isinstance(value, list) or not value or not depth:
+        return 1
+    count = 0
+    for item in value:  # pyright: ignore[reportUnknownVariableType]
+        count += _leaves(item, most - count, depth - 1)
+        if count > most:
+            break
+    return count
 
 
 def _raw(value: Any) -> Raw:
@@ -119,8 +142,6 @@ def _raw(value: Any) -> Raw:
     if others or (flat and all(isinstance(x, bool) for x in flat)):
         kind = KINDS.get(type((others or flat)[0]).__name__, "something else")
         return Raw("error", f"not a matrix of numbers: it holds {kind}")
-    if len(flat) > MAX_ELEMENTS:
-        return Raw("error", f"too large: an array of shape {tuple(shape)}")
     return Raw(
         "num", np.array(flat, dtype=complex if any(isinstance(x, complex) for x in flat) else float).reshape(shape)
     )
@@ -141,7 +162,7 @@ def _entries(value: Any, most: int) -> Any:
     text = repr(float(value)) if isinstance(value, float | bool) else str(value)
     if len(text) > most:
         raise ValueError(f"too long: a text of {len(text)} characters; {most} can be read here")
-    return text
+    return LONE_SURROGATE.sub("\N{REPLACEMENT CHARACTER}", text)
 
 
 def _flatten(value: Any, depth: int = 4) -> tuple[list[int], list[Any]]:

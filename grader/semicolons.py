@@ -7,7 +7,9 @@ import re
 NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d+)?")
 DECIMAL = re.compile(r"(?<![\d.,])(\d*),(\d+)(?![\d.,])")
 MATRIX = re.compile(r"[\d.eE+\- ]*;[\d.;eE+\- ]*")
-QUOTED = re.compile(r'"(?:[^"]|"")*"')
+QUOTED = re.compile(r'"[^"]*+(?:""[^"]*+)*+"')
+BRACKETS = re.compile(r"[()]+|[^()]+")
+LINE_OR_SEMICOLON = re.compile(r"[\r\n;]")
 SENTENCE = (
     "the file can be read in two ways, for it has both commas and semicolons between its cells; write 0.5,1.25 with "
     "points in decimals and commas between cells, and text with either of them in double quotes"
@@ -32,7 +34,7 @@ def rows_of(text: str) -> list[list[str]]:
     semicolon = _rows(text, ";")
     cells = [cell for row in semicolon for cell in row]
     numbers = [cell for cell in cells if NUMBER.fullmatch(cell)]
-    clean = not any(_outer_comma(cell) for cell in _rows_of_bare(bare))
+    clean = not any(_outer_comma(cell) for cell in LINE_OR_SEMICOLON.split(bare))
     mixed = any("," in x for x in numbers) and any("." in x for x in numbers)
     beside = any(NUMBER.fullmatch(cell) for row in semicolon if len(row) > 1 for cell in row)
     if clean and not mixed and (beside or "," not in bare):
@@ -53,24 +55,22 @@ def _rows(text: str, separator: str) -> list[list[str]]:
     return rows
 
 
-def _rows_of_bare(bare: str) -> list[str]:
-    return [cell for line in bare.splitlines() for cell in line.split(";")]
-
-
 def _outer_comma(cell: str) -> bool:
     """A comma outside brackets that is no decimal comma."""
-    return "," in _outside(DECIMAL.sub(r"\1.\2", cell))
+    return "," in cell and _commas_outside(DECIMAL.sub(r"\1.\2", cell)) > 0
 
 
-def _outside(cell: str) -> str:
-    """Without what stands in round brackets."""
-    depth, kept = 0, ""
-    for piece in re.split(r"([()])", cell):
-        depth += {"(": 1, ")": -1}.get(piece, 0)
-        kept += "" if depth else piece
-    return kept
+def _commas_outside(cell: str) -> int:
+    """Commas that do not stand in round brackets."""
+    depth = count = 0
+    for piece in BRACKETS.finditer(cell):
+        depth += piece[0].count("(") - piece[0].count(")")
+        count += 0 if depth else piece[0].count(",")
+    return count
 
 
 def _decimal_point(cell: str) -> str:
     """0.5*q1 for 0,5*q1; commas in brackets, as in atan2(1,2), are not touched."""
-    return DECIMAL.sub(r"\1.\2", cell) if _outside(cell).count(",") == cell.count(",") else cell
+    if "," not in cell or _commas_outside(cell) < cell.count(","):
+        return cell
+    return DECIMAL.sub(r"\1.\2", cell)
