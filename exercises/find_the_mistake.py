@@ -4,6 +4,7 @@ Structure and numbers of the arm are drawn, and so is the mistake. Every matrix 
 from every other one on the drawn arm, so that there is one right name.
 """
 
+import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
@@ -44,6 +45,12 @@ class Slip:
 
     option: str
     of: Callable[[Array, str], Array]
+
+    @property
+    def plain(self) -> str:
+        """The option without its LaTeX, for findings."""
+        text = re.sub(r"\\mathbf\s*|\$", "", self.option).replace(r"\times", "x")
+        return re.sub(r"_\{([^}]*)\}", r"_(\1)", text)
 
 
 def _z(T: Array) -> Array:
@@ -163,17 +170,17 @@ def as_modified(v: Variant, _: Given) -> Array:
 
 
 def judged_repair(v: Variant, given: Given, value: Array) -> Outcome:
-    """Spoiled columns that are made right carry the points; each sound one that is broken costs as much."""
+    """Spoiled columns that are made right carry the points; each sound one that is broken costs its share of all."""
     T, J, W = transforms(v), repaired(v, given), np.array(v["W"])
     right = np.abs(value - J) <= ROUNDING
     spoiled = (np.abs(W - J) > ROUNDING).any(axis=0)
     whole = right.all(axis=0)
-    share = max(0.0, float((whole & spoiled).sum() - (~whole & ~spoiled).sum()) / float(spoiled.sum()))
+    share = max(0.0, float((whole & spoiled).sum() / spoiled.sum() - (~whole & ~spoiled).mean()))
     if np.abs(value - W).max() <= ROUNDING:
         return Outcome(right, reading="This is the printed matrix as it was.", share=share)
     for slip in SLIPS:
         if np.abs(value - slip.of(T, KINDS)).max() <= ROUNDING:
-            return Outcome(right, reading=f"This matrix has another mistake in it: {slip.option}.", share=share)
+            return Outcome(right, reading=f"This matrix has another mistake in it: {slip.plain}.", share=share)
     return Outcome(right, share=share)
 
 

@@ -4,7 +4,6 @@ The function is called with robots that the student has not seen. Who works with
 for the published robots.
 """
 
-import re
 from collections.abc import Callable, Iterator
 from typing import Any
 
@@ -96,16 +95,10 @@ def frames(dh: Any, kinds: str, q: Any) -> Array:
     return np.array(T)
 
 
-def _plain(option: str) -> str:
-    """The text of an option without its LaTeX, for a finding."""
-    text = re.sub(r"\\mathbf\s*|\$", "", option).replace(r"\times", "x")
-    return re.sub(r"_\{([^}]*)\}", r"_(\1)", text)
-
-
 def mistakes() -> Iterator[Mistake]:
     """Those of the sources, and three ways to misread the arguments."""
     for slip in SLIPS:
-        yield _always(f"Your results show a mistake: {_plain(slip.option)}.", _slipping(slip.of))
+        yield _always(f"Your results show a mistake: {slip.plain}.", _slipping(slip.of))
     yield _always("The offsets in the table are lost: q is added to them.", _without_offsets)
     yield _always(
         "The table is read in the modified convention; it is a standard one.",

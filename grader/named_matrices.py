@@ -18,6 +18,10 @@ LONE_SURROGATE = re.compile("[\ud800-\udfff]")
 KINDS = {"dict": "an object", "bool": "true or false", "NoneType": "null"}
 
 
+class TooLarge(ValueError):
+    """A file that cannot be one of answers alone."""
+
+
 def from_json(data: bytes, asks: Sequence[Ask]) -> dict[str, Raw]:
     """Values of a JSON object such as {"rrt_J": [[...], ...]}; a broken file is an error of every answer.
 
@@ -26,6 +30,8 @@ def from_json(data: bytes, asks: Sequence[Ask]) -> dict[str, Raw]:
     """
     try:
         values: Any = json.loads(_decode(data, ",:[{"), parse_int=float)
+    except TooLarge as error:
+        return every(asks, str(error))
     except (ValueError, RecursionError) as error:
         return every(asks, f"the file is not JSON: {error}")
     if not isinstance(values, dict):
@@ -45,7 +51,7 @@ def from_csv(data: bytes, asks: Sequence[Ask]) -> dict[str, Raw]:
     try:
         rows = rows_of(_decode(data, ",;()\r\n"))
         blocks = _blocks(rows, known)
-    except Ambiguous as error:
+    except (Ambiguous, TooLarge) as error:
         return every(asks, str(error))
     except (ValueError, csv.Error) as error:
         return every(asks, f"the file is not CSV: {error}")
@@ -88,9 +94,9 @@ def _typed(rows: list[list[str]]) -> Any:
 def _decode(data: bytes, marks: str) -> str:
     """The text of a file; refused before it is taken apart where it has far more parts than any answers have."""
     if len(data) > MAX_BYTES:
-        raise ValueError(f"it has {len(data) >> 20} MB, answers fit into {MAX_BYTES >> 20}")
+        raise TooLarge(f"the file has {len(data) >> 20} MB; answers fit into {MAX_BYTES >> 20}")
     if sum(data.count(mark.encode()) for mark in marks) > MAX_MARKS:
-        raise ValueError(f"it has more than {MAX_MARKS} values, lines or brackets; hand in only your answers")
+        raise TooLarge(f"the file has more than {MAX_MARKS} values, lines or brackets; hand in only your answers")
     return data.decode("utf-8-sig")
 
 

@@ -136,4 +136,4 @@ def test_another_mistake_in_the_repair_is_named(slip):
     v = variant_with((slip + 1) % len(SLIPS))
     found = verdicts(v, SLIPS[slip].of(transforms(v), KINDS))[1]
     assert found.status != "correct"
-    assert SLIPS[slip].option in found.reading
+    assert SLIPS[slip].plain in found.reading
