@@ -119,5 +119,6 @@ def test_questions_end_as_questions_and_name_no_source():
     v = variant_of("small_rotations", 0)
     got = references(EXERCISE, v)
     assert EXERCISE.asked[-1].prompt.endswith("?")
-    said = EXERCISE.statement(v) + "".join(step.text for part in EXERCISE.asked if part.explain for step in part.explain(v, got))
+    steps = (step for part in EXERCISE.asked if part.explain for step in part.explain(v, got))
+    said = EXERCISE.statement(v) + "".join(step.text for step in steps)
     assert "S0" not in said
