@@ -47,7 +47,7 @@ class Submission:
 def _called(raw: Raw) -> Raw:
     """In a notebook a function is asked for; results that are listed there were not computed before our eyes."""
     if raw.kind in ("num", "text") or raw.listed:
-        return Raw("error", "a function of this name is asked in a notebook, not its results")
+        return Raw("error", "takes a function of this name in a notebook, not its results")
     return raw
 
 

@@ -20,7 +20,8 @@ Order = Literal["little", "big"]
 Element = tuple[int, memoryview]
 HEADER, DEPTH = 128, 3
 MAX_UNPACKED, MAX_VARIABLES, MAX_CELLS = 4 << 20, 1000, 512
-MOST = {"cells": MAX_CELLS, "numbers": MAX_ELEMENTS, "characters": MAX_CELLS * MAX_TEXT}  # of one variable
+CELLS, NUMBERS, LETTERS = "cells and lines of text", "numbers", "characters"
+MOST = {CELLS: MAX_CELLS, NUMBERS: MAX_ELEMENTS, LETTERS: MAX_CELLS * MAX_TEXT}  # of one variable
 MATRIX, COMPRESSED = 14, 15
 CELL, STRUCT, OBJECT, CHAR, SPARSE, FUNCTION, OPAQUE = 1, 2, 3, 4, 5, 16, 17
 NUMERIC = range(6, 16)
@@ -169,7 +170,7 @@ def check(array: Array, order: Order) -> None:
         for what, amount in _amounts(inner).items():
             left[what] -= amount
             if left[what] < 0:
-                raise MatError(f"too large: it has more than {MOST[what]} {what}, in all its cells together")
+                raise MatError(f"too large: it has more than {MOST[what]} {what}, cells within cells included")
 
 
 def _arrays(array: Array, order: Order, depth: int) -> Iterator[Array]:
@@ -206,8 +207,8 @@ def _amounts(array: Array) -> dict[str, int]:
     """How much of an answer it takes up itself; every row of text after the first is one more cell."""
     size = _size(array.shape)
     if array.kind == CHAR:
-        return {"characters": size, "cells": _size(array.shape[:-1]) - 1}
-    return {"cells" if array.kind == CELL else "numbers": size}
+        return {LETTERS: size, CELLS: _size(array.shape[:-1]) - 1}
+    return {CELLS if array.kind == CELL else NUMBERS: size}
 
 
 def _size(shape: tuple[int, ...]) -> int:

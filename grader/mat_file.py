@@ -31,7 +31,7 @@ def from_mat(data: bytes, asks: Sequence[Ask]) -> dict[str, Raw]:
     """
     reason = cannot_read()
     if len(data) > MAX_BYTES:
-        reason = f"the file has {len(data) >> 20} MB; answers fit into {MAX_BYTES >> 20}"
+        reason = f"the file has more than {MAX_BYTES >> 20} MB; save only your answers"
     if reason:
         return every(asks, reason)
     found: dict[str, bytes] = {}

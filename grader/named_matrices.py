@@ -13,7 +13,7 @@ from .semicolons import Ambiguous, rows_of
 from .wire import MAX_ANSWER, MAX_ELEMENTS, MAX_ROWS, MAX_TEXT, Raw
 
 MAX_BYTES = 2 << 20
-MAX_MARKS = 100_000  # of what stands between values or nests them, in a whole file
+MAX_MARKS = 50_000  # of what stands between values or nests them, in a whole file
 LONE_SURROGATE = re.compile("[\ud800-\udfff]")
 KINDS = {"dict": "an object", "bool": "true or false", "NoneType": "null"}
 
@@ -94,7 +94,7 @@ def _typed(rows: list[list[str]]) -> Any:
 def _decode(data: bytes, marks: str) -> str:
     """The text of a file; refused before it is taken apart where it has far more parts than any answers have."""
     if len(data) > MAX_BYTES:
-        raise TooLarge(f"the file has {len(data) >> 20} MB; answers fit into {MAX_BYTES >> 20}")
+        raise TooLarge(f"the file has more than {MAX_BYTES >> 20} MB; hand in only your answers")
     if sum(data.count(mark.encode()) for mark in marks) > MAX_MARKS:
         raise TooLarge(f"the file has more than {MAX_MARKS} values, lines or brackets; hand in only your answers")
     return data.decode("utf-8-sig")

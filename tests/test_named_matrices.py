@@ -77,7 +77,7 @@ def from_one(value):
         (["x" * 401], "error", "too long: a text of 401 characters; 400 can be read here"),
         (["x"] * 65, "error", "too long: a list of 65 entries; an answer may have 64"),
         ([[["x"]]], "error", "not a matrix: its text is nested too deeply"),
-        ([0] * 4097, "error", "too large: an array of shape (4097,)"),
+        ([0] * 4097, "error", "too large: it has more than 4096 entries"),
         (True, "error", "not a matrix of numbers: it holds true or false"),
     ],
 )
@@ -178,6 +178,98 @@ def test_commas_and_semicolons_that_could_both_separate_are_refused(text):
 @pytest.mark.parametrize("cell", ["(" * 60_000 + ")" * 60_000, "1" * 120_000 + "x", '"' * 99_999, "1,1" * 40_000])
 def test_no_cell_takes_long(cell):
     assert from_csv(f"J\n1;{cell};2\n".encode(), ASKS)["J"].kind == "error"
+
+
+@pytest.mark.parametrize(
+    ("value", "expected"),
+    [
+        (r"a\ud800", "a\ufffd"),
+        (r"\udfffb", "\ufffdb"),
+        (r"\udc00\ud800", "\ufffd\ufffd"),
+        (r"\ud83d\ude00", "\U0001f600"),
+        (r"\\ud800", r"\ud800"),
+    ],
+)
+@pytest.mark.parametrize("around", ['"%s"', '["%s"]', '[["%s"]]'])
+def test_half_a_surrogate_pair_becomes_a_character_that_can_be_written(value, expected, around):
+    content = '{"\\ud800": 1, "J": %s}' % (around % value)
+    raw = from_json(content.encode(), ASKS)["J"]
+    assert raw.kind == "text"
+    assert raw.value == json.loads(around % expected.replace("\\", "\\\\"))
+    assert json.dumps(raw.value, ensure_ascii=False).encode()
+
+
+def test_results_of_calls_have_no_half_surrogate_pairs():
+    raw = from_json(rb'{"f": ["\ud800", [1, 2]]}', CALLS)["f"]
+    assert raw.value[0].value == "\ufffd"
+
+
+FULL = "the file has more than 50000 values, lines or brackets; hand in only your answers"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "1\n" * 60_000,
+        "a," * 60_000,
+        ";" * 60_000,
+        "1;\r" * 30_000,
+        '"' + "\n" * 60_000 + '"',
+        "(1" * 60_000,
+        "\n" * 60_000,
+    ],
+)
+def test_a_csv_file_with_far_more_than_answers_is_not_taken_apart(text, monkeypatch):
+    monkeypatch.setattr("kinegrade.grader.named_matrices.rows_of", lambda *_: pytest.fail("it was taken apart"))
+    assert {raw.value for raw in from_csv(f"J\n{text}".encode(), ASKS).values()} == {FULL}
+
+
+@pytest.mark.parametrize(
+    "value", ["[" * 60_000, "[" + "[]," * 30_000 + "1]", "[" + "1," * 60_000 + "1]", '{"a":' * 30_000]
+)
+def test_a_json_file_with_far_more_than_answers_is_not_parsed(value, monkeypatch):
+    monkeypatch.setattr(json, "loads", lambda *_, **__: pytest.fail("it was parsed"))
+    assert {raw.value for raw in from_json(f'{{"J": {value}}}'.encode(), ASKS).values()} == {FULL}
+
+
+@pytest.mark.parametrize("reader", [from_json, from_csv])
+def test_a_file_of_more_than_two_megabytes_says_so(reader):
+    assert reader(b" " * (2 << 20) + b" ", ASKS)["J"].value == "the file has more than 2 MB; hand in only your answers"
+
+
+@pytest.mark.parametrize(
+    ("text", "cells"),
+    [("1\n" * 4097, 4097), ("a,b\n" * 2049, 4098), ("1;2,5\n" * 2049, 4098), (",".join("1" * 4097), 4097)],
+)
+def test_too_many_cells_of_one_name_in_csv_cost_only_that_name(text, cells):
+    found = from_csv(f"dh\n{text}\nJ\n1\n".encode(), ASKS)
+    assert found["dh"].value == f"too large: it has {cells} cells; an answer may have 4096"
+    assert found["J"].value.tolist() == [[1]]
+
+
+def test_results_of_calls_in_csv_are_counted_together():
+    text = "".join(f"f {i}\n" + "1\n" * 2100 for i in (1, 2))
+    assert from_csv(text.encode(), CALLS)["f"].value == "too large: it has 4200 cells; an answer may have 4096"
+
+
+@pytest.mark.parametrize(
+    "value", [[0] * 4097, [[0] * 64] * 65, [["x"] * 64] * 65, [[[1]] * 4000, [[2]] * 100], [[]] * 5000, [None] * 4097]
+)
+def test_too_many_entries_of_one_name_in_json_cost_only_that_name(value):
+    found = from_json(json.dumps({"f": value, "J": 1}).encode(), [*CALLS, Ask("J")])
+    assert found["f"].value == "too large: it has more than 4096 entries"
+    assert found["J"].value == 1
+
+
+def test_as_much_as_an_answer_may_have_is_read():
+    numbers, texts = [[0.5] * 64] * 64, [["x"] * 64] * 64
+    found = from_json(json.dumps({"J": numbers, "dh": texts}).encode(), ASKS)
+    assert found["J"].value.shape == (64, 64)
+    assert found["dh"].value == texts
+    rows = ["J", *(",".join(map(str, row)) for row in numbers), "dh", *map(",".join, texts)]
+    found = from_csv("\n".join(rows).encode(), ASKS)
+    assert found["J"].value.shape == (64, 64)
+    assert found["dh"].value == texts
 
 
 @pytest.mark.parametrize("line", ["\r", "\r\n", "\n"])

@@ -241,3 +241,15 @@ def test_a_link_to_a_file_of_somebody_else_is_no_submission(tmp_path):
     (tmp_path / "one.ipynb").symlink_to(tmp_path / "solution.ipynb")
     with pytest.raises(CourseError, match="is a link; a submission takes a file of its own"):
         read_submission(tmp_path / "one.ipynb")
+
+
+def test_results_listed_in_a_notebook_are_no_function(tmp_path):
+    part = Part(
+        "t_x", "x?", 1, Function("(x)", lambda _: {"one": [(1.0,)]}, published=lambda _: {"one": [(2.0,)]}), float
+    )
+    (tmp_path / "one.ipynb").write_bytes(notebook("t_x = [[2.0]]"))
+    (tmp_path / "one.json").write_text('{"t_x": [[2.0]]}', encoding="utf-8")
+    in_notebook, in_file = (read_submission(tmp_path / f"one.{ending}") for ending in ("ipynb", "json"))
+    asks = [submission.asks(exercise_of(part), {}) for submission in (in_notebook, in_file)]
+    assert "takes a function" in in_notebook.raws(asks[0], Limits())["t_x"].value
+    assert in_file.raws(asks[1], Limits())["t_x"].kind in ("num", "calls")
