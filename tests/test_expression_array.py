@@ -3,8 +3,14 @@
 import numpy as np
 import pytest
 import sympy
-from kinegrade.solutions.expression import ExpressionError
-from kinegrade.solutions.expression_array import ExpressionArrayError, expression_array, same_formulas, sample
+from kinegrade.solutions.expression import Expression, ExpressionError
+from kinegrade.solutions.expression_array import (
+    ExpressionArray,
+    ExpressionArrayError,
+    expression_array,
+    same_formulas,
+    sample,
+)
 
 NAMES = ("l1", "q1", "q2")
 
@@ -68,3 +74,28 @@ def test_points_are_spread_and_the_same_everywhere():
     assert -2.6 < values["q1"].min() < -2 < 2 < values["q1"].max() < 2.6
     assert values["q1"][:2] == pytest.approx([5.2 * (np.sqrt(3) % 1) - 2.6, 5.2 * (2 * np.sqrt(3) % 1) - 2.6])
     assert abs(np.corrcoef(values["q1"], values["q2"])[0, 1]) < 0.3
+
+
+def test_a_formula_made_to_agree_at_the_eight_known_points_differs():
+    """A polynomial through the values at the points that everybody can know."""
+    q1 = sample(NAMES, 8)["q1"]
+    text, differences = "0", np.sin(q1)
+    for k in range(8):  # Newton's form
+        text = f"{text} + {float(differences[0])!r}*{'*'.join(['1', *(f'(q1 - {float(x)!r})' for x in q1[:k])])}"
+        differences = np.diff(differences) / (q1[k + 1 :] - q1[: 7 - k]) if k < 7 else differences
+    nodes = [expression_array(part, NAMES) for part in text.split(" + ")]
+    total = sum(node.at({"q1": q1, "l1": 1, "q2": 1}) for node in nodes)
+    np.testing.assert_allclose(total, np.sin(q1), atol=1e-9)
+    interpolant = ExpressionArray((sum_of(nodes),), ())
+    assert not same_formulas(interpolant, expression_array("sin(q1)", NAMES), NAMES)
+
+
+def sum_of(arrays):
+    """One expression, too long to be typed in one piece."""
+    found = arrays[0].entries[0].nodes
+    for array in arrays[1:]:
+        n = len(found)
+        nodes = array.entries[0].nodes
+        moved = (node if node[0] in ("n", "s") else (node[0], *(i + n for i in node[1:])) for node in nodes)
+        found = (*found, *moved, ("+", n - 1, n + len(nodes) - 1))
+    return Expression(found)
