@@ -13,7 +13,7 @@ from ..exercises.exercise import Exercise
 from ..grader.ask import Limits
 from ..grader.mark import mark
 from ..grader.own_work import Remark, remarks
-from ..grader.unreadable import entry_name
+from ..grader.unreadable import entries_named
 from ..grader.verdict import STATUS_WORDS, Verdict
 from ..grader.wire import Raw
 from .config import CourseError, Mode
@@ -99,12 +99,9 @@ def _wrong_entries(right: Any) -> str:
         mask = np.array(right, dtype=bool)
     except ValueError:  # groups of calls of different sizes speak for themselves
         return ""
-    wrong = np.argwhere(~mask)
-    if right is None or mask.size < 2 or len(wrong) in (0, mask.size):
+    if right is None or mask.size < 2 or mask.all() or not mask.any():
         return ""
-    places = "; ".join(entry_name(tuple(map(int, where))) for where in wrong[:MOST_PLACES])
-    more = f" and {len(wrong) - MOST_PLACES} more" if len(wrong) > MOST_PLACES else ""
-    return f"{mask.size - len(wrong)} of {mask.size} entries right, not these: {places}{more}."
+    return f"{mask.sum()} of {mask.size} entries right, not these: {entries_named(~mask, MOST_PLACES)}."
 
 
 def _told(verdict: Verdict) -> Remark:

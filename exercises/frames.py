@@ -18,7 +18,8 @@ from .answers import LETTERS
 from .drawing import Drawing, Triad
 from .draws import angles, length, rates, until
 from .exercise import Choice, Exercise, Given, Mistake, Numbers, Part, Step, Variant
-from .small_rotations import LENGTHS, SENSES, TURNS, lengths, printed_table, robot, table_rows
+from .printed_table import printed_table, table_rows
+from .small_rotations import LENGTHS, SENSES, TURNS, lengths, robot
 
 Array = NDArray[np.float64]
 SLIDE = 2  # index of joint 3

@@ -18,8 +18,8 @@ from .answers import LETTERS
 from .drawing import Drawing, Triad
 from .draws import angles, length, rates, until
 from .exercise import Choice, Configurations, Exercise, Given, Mistake, Numbers, Outcome, Part, Step, Variant
+from .printed_table import printed_table, table_rows
 from .properties import list_share, listed, parallel
-from .small_rotations import printed_table, table_rows
 
 ROBOT = ROBOTS["puma560"]
 CHAIN = ROBOT.chain()

@@ -4,7 +4,6 @@ The senses of the axes are drawn. The rotations are printed to six decimals; the
 second order, which S0's eq. 4.11 leaves out, is larger than the tolerance.
 """
 
-from collections.abc import Sequence
 from functools import lru_cache
 from itertools import product
 from typing import Any
@@ -12,12 +11,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..solutions.expression import latex_name
 from ..solutions.robot import Robot
 from .answers import LETTERS
 from .drawing import Drawing, Triad
 from .draws import angles, length, until
 from .exercise import Choice, Exercise, Given, Mistake, Numbers, Outcome, Part, Step, Variant
+from .printed_table import printed_table, table_rows
+from .properties import turned
 
 Array = NDArray[np.float64]
 KINDS = "RRPR"
@@ -164,8 +164,7 @@ def angles_of_product(v: Variant) -> Array:
 
 
 def differences_of_angles(v: Variant) -> Array:
-    difference = roll_pitch_yaw(np.array(v["R2"])) - roll_pitch_yaw(np.array(v["R1"]))
-    return difference - 2 * np.pi * np.round(difference / (2 * np.pi))
+    return turned(roll_pitch_yaw(np.array(v["R2"])) - roll_pitch_yaw(np.array(v["R1"])))
 
 
 def named_reading(v: Variant, _: Given, value: Array) -> Outcome:
@@ -226,22 +225,6 @@ def explain_factor(v: Variant, given: Given) -> list[Step]:
             numbers=between(v) - to_first_order(v),
         ),
     ]
-
-
-def printed_table(rows: Sequence[Sequence[str]]) -> str:
-    """Markdown of a table of theta, d, a, alpha; names become symbols, numbers stay as they are."""
-    angle = {"pi/2": r"\pi/2", "-pi/2": r"-\pi/2"}
-    lines = [
-        [str(i), *(latex_name(cell) if cell.isidentifier() else angle.get(cell, cell) for cell in row)]
-        for i, row in enumerate(rows, 1)
-    ]
-    head = [r"| $i$ | $\theta_i$ | $d_i$ | $a_i$ | $\alpha_i$ |", "|:-:|:-:|:-:|:-:|:-:|"]
-    return "\n".join([*head, *("| " + " | ".join(f"${cell}$" for cell in line) + " |" for line in lines)])
-
-
-def table_rows(arm: Robot) -> list[list[str]]:
-    """Cells of a robot's table as text."""
-    return [[str(cell) for cell in row] for row in arm.rows]
 
 
 def drawings(v: Variant) -> tuple[Drawing, ...]:

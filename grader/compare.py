@@ -32,11 +32,15 @@ BLOCK = 3  # rows of J: linear, angular
 
 @dataclass(frozen=True)
 class Comparison:
-    """Which entries are right, of the shape in which the answer is shown, the share of the points, what was seen."""
+    """Which entries are right, of the shape in which the answer is shown, the share of the points, what was seen.
+
+    `reading` is how the question was read, where the part's own check tells.
+    """
 
     right: Any
     share: float
     findings: tuple[str, ...] = ()
+    reading: str = ""
 
     @property
     def all_right(self) -> bool:

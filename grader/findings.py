@@ -14,7 +14,7 @@ from ..solutions.expression import Expression
 from ..solutions.expression_array import SAME, ExpressionArray, same_formulas, sampled
 from .answer_key import AnswerKey, Mask, Wanted
 from .compare import compare
-from .unreadable import entry_name
+from .unreadable import entries_named
 from .verdict import Finding
 
 Array = NDArray[np.float64]
@@ -154,8 +154,7 @@ def _places(flipped: NDArray[np.bool_]) -> str:
     columns = sorted({int(where[-1]) for where in np.argwhere(flipped)})
     if flipped.ndim == 2 and len(columns) == 1 and flipped.sum() > 1:
         return f"column {columns[0] + 1}"
-    more = f" and {flipped.sum() - MOST_PLACES} more" if flipped.sum() > MOST_PLACES else ""
-    return "; ".join(entry_name(tuple(map(int, where))) for where in np.argwhere(flipped)[:MOST_PLACES]) + more
+    return entries_named(flipped, MOST_PLACES)
 
 
 _FINDINGS: dict[type, Callable[..., Iterator[Finding]]] = {Numbers: _of_numbers, Formulas: _of_formulas}

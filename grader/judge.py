@@ -1,35 +1,19 @@
 """An answer judged in full: compared, then by the part's own check where it has one."""
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from ..exercises.exercise import Part
 from .answer_key import AnswerKey, Wanted
-from .compare import compare, shared
+from .compare import Comparison, compare, shared
 from .findings import presentation
 
 
-@dataclass(frozen=True)
-class Judged:
-    """Right entries in the shape in which the answer is shown, the share of the points, and what was seen."""
-
-    right: Any
-    share: float
-    reading: str = ""
-    findings: tuple[str, ...] = ()
-
-    @property
-    def all_right(self) -> bool:
-        """Whether nothing is wrong or missing."""
-        return self.share == 1.0
-
-
-def judged(key: AnswerKey, part: Part, wanted: Wanted, value: Any) -> Judged:
+def judged(key: AnswerKey, part: Part, wanted: Wanted, value: Any) -> Comparison:
     """A readable answer against what is wanted; a presentation that earns nothing by chance has no share."""
     found = compare(key, part, wanted, value)
-    right, share, reading, findings = found.right, found.share, "", found.findings
+    right, share, findings, reading = found.right, found.share, found.findings, found.reading
     if part.check:
         outcome = part.check(key.v, wanted.given, value)
         if outcome.right is not None:
@@ -40,4 +24,4 @@ def judged(key: AnswerKey, part: Part, wanted: Wanted, value: Any) -> Judged:
     if 0 < share < 1:
         known = presentation(key, part, wanted, value)
         share = 0.0 if known and known.worthless else share
-    return Judged(right, share, reading, findings)
+    return Comparison(right, share, findings, reading)

@@ -12,9 +12,10 @@ from ..exercises.exercise import Exercise, Part, Variant
 from ..solutions.expression_array import ExpressionArray
 from ..solutions.table import Table
 from .answer_key import AnswerKey, Wanted
+from .compare import Comparison
 from .findings import findings
 from .follow import Others, is_trivial, owner_of, zeros_pass
-from .judge import Judged, judged
+from .judge import judged
 from .read import UNANSWERED, Results, read
 from .unreadable import Unreadable
 from .verdict import Finding, Verdict, not_graded
@@ -54,30 +55,27 @@ def mark(
         if isinstance(part.answer, Manual):
             sheet.verdicts[part.variable] = _by_hand(part, raw, v)
             continue
-        try:
-            answer = read(part.answer, raw, v)
-        except Unreadable as error:
-            sheet.verdicts[part.variable] = _unreadable(part, raw, str(error))
-            continue
-        _mark_readable(sheet, part, answer, others or {})
-        if said := _read_as(part, raw, answer):
-            verdict = sheet.verdicts[part.variable]
-            sheet.verdicts[part.variable] = replace(verdict, reading=" ".join(filter(None, (said, verdict.reading))))
+        sheet.verdicts[part.variable] = _mark_raw(sheet, part, raw, others or {})
     return [_with_note(verdict, raws.get(name, Raw("missing"))) for name, verdict in sheet.verdicts.items()]
 
 
 def mark_part(key: AnswerKey, part: Part, raw: Raw) -> Verdict:
     """The verdict of one part by itself: nothing follows from other answers."""
-    sheet = _Sheet(key, {}, {}, set())
+    return _mark_raw(_Sheet(key, {}, {}, set()), part, raw, {})
+
+
+def _mark_raw(sheet: _Sheet, part: Part, raw: Raw, others: Others) -> Verdict:
     try:
-        answer = read(part.answer, raw, key.v)
+        answer = read(part.answer, raw, sheet.key.v)
     except Unreadable as error:
         return _unreadable(part, raw, str(error))
-    _mark_readable(sheet, part, answer, {})
-    return sheet.verdicts[part.variable]
+    verdict = _mark_readable(sheet, part, answer, others)
+    sheet.answers[part.variable] = answer
+    reading = " ".join(filter(None, (_read_as(part, raw, answer), verdict.reading)))
+    return replace(verdict, reading=reading)
 
 
-def _mark_readable(sheet: _Sheet, part: Part, answer: Any, others: Others) -> None:
+def _mark_readable(sheet: _Sheet, part: Part, answer: Any, others: Others) -> Verdict:
     try:
         verdict = _verdict(sheet, part, answer)
     except Exception:
@@ -87,7 +85,7 @@ def _mark_readable(sheet: _Sheet, part: Part, answer: Any, others: Others) -> No
         sheet.unfollowed.add(part.variable)
         found = Finding(f"This is the reference answer of {owner}'s variant.", private=True)
         verdict = replace(verdict, findings=(*verdict.findings, found))
-    sheet.answers[part.variable], sheet.verdicts[part.variable] = answer, verdict
+    return verdict
 
 
 def _by_hand(part: Part, raw: Raw, v: Variant) -> Verdict:
@@ -151,7 +149,7 @@ def _verdict(sheet: _Sheet, part: Part, answer: Any) -> Verdict:
     return replace(verdict, findings=(*verdict.findings, *(() if found.reading else named)))
 
 
-def _written(part: Part, found: Judged, answer: Any) -> Verdict:
+def _written(part: Part, found: Comparison, answer: Any) -> Verdict:
     status = "correct" if found.all_right else "partly" if found.share > 0 else "incorrect"
     noted = tuple(map(Finding, found.findings)) if status != "correct" else ()
     right: Any = found.right.tolist() if hasattr(found.right, "tolist") else found.right

@@ -25,11 +25,11 @@ def read_formulas(answer: Formulas, raw: Raw, v: Variant) -> ExpressionArray:
         raise Unreadable(f"takes formulas of shape {answer.shape}, got {clip(raw.kind)}")
     if isinstance(raw.value, str) and answer.shape:
         rows = _read(raw.value, lambda text: typed_matrix(text, names))
-        entries, shape = [entry for row in rows for entry in row], (len(rows), len(rows[0]))
+        reshaped(np.zeros((len(rows), len(rows[0]))), answer.shape)  # refuses another shape
+        entries = [entry for row in rows for entry in row]
     else:
         reshaped(np.zeros(_shape_of(raw)), answer.shape)  # refuses another shape before entries are read
-        entries, shape = _entries(raw, names)
-    reshaped(np.zeros(shape), answer.shape)
+        entries = _entries(raw, names)
     return ExpressionArray(tuple(entries), answer.shape)
 
 
@@ -60,19 +60,18 @@ def _shape_of(raw: Raw) -> tuple[int, ...]:
     return raw.value.shape if raw.kind == "num" else flat_texts(raw.value)[1]
 
 
-def _entries(raw: Raw, names: tuple[str, ...]) -> tuple[list[Expression], tuple[int, ...]]:
+def _entries(raw: Raw, names: tuple[str, ...]) -> list[Expression]:
     if raw.kind == "num":
         array = raw.value
         if np.iscomplexobj(array) or not np.isfinite(array).all():
             raise Unreadable("takes formulas, got numbers that are not finite and real")
-        return [_read(_constant(float(x)), lambda text: parse(text, ())) for x in array.ravel()], array.shape
+        return [_read(_constant(float(x)), lambda text: parse(text, ())) for x in array.ravel()]
     flat, shape = flat_texts(raw.value)
     places = np.ndindex(shape)
-    entries = [
+    return [
         _read(text, lambda text: typed(text, names), entry_name(where))
         for text, where in zip(flat, places, strict=True)
     ]
-    return entries, shape
 
 
 def _constant(number: float) -> str:

@@ -2,6 +2,9 @@
 
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from ..solutions.errors import KinegradeError
 from ..solutions.expression import ExpressionError
 
@@ -19,6 +22,13 @@ def clip(value: Any) -> str:
 def misread(error: ExpressionError, where: str = "") -> Unreadable:
     """The sentence of a formula that cannot be read, and where in it."""
     return Unreadable(f"{where}{': ' * bool(where)}{error.message}\n{error.caret}")
+
+
+def entries_named(chosen: NDArray[np.bool_], most: int) -> str:
+    """The first places of some entries in words, and how many more there are."""
+    places = [entry_name(tuple(map(int, where))) for where in np.argwhere(chosen)]
+    more = f" and {len(places) - most} more" if len(places) > most else ""
+    return "; ".join(places[:most]) + more
 
 
 def entry_name(where: tuple[int, ...]) -> str:
