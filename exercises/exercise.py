@@ -56,6 +56,8 @@ __all__ = [
 Given = Mapping[str, Any]
 """Earlier answers by variable, each of its declared type, whoever gave it: the reference or the student."""
 Credit = Literal["entry", "column", "block", "all"]
+Rows = Literal["linear, angular", "angular, linear"]
+"""Which rows of a Jacobian or twist stand on top."""
 
 
 class ExerciseError(KinegradeError):
@@ -129,9 +131,11 @@ class Exercise:
     """One exercise file. `draw(rng)` returns plain numbers; they pass through JSON before anything is computed.
 
     `units` give the unit of every drawn number that is printed (nested like the number itself); what is not listed
-    there is not printed. `hidden` names drawn numbers that stay with the instructor, such as the inputs of a function.
+    there is not printed. `hidden` names drawn numbers that stay with the instructor, such as the inputs of a function;
+    `structure` names drawn choices of form, which are neither printed nor secret and can be pinned for a whole class.
     `symbols` are the LaTeX of printed names that are more than letters and an index.
-    `scale(v)` is a typical length [m] that linear tolerances are measured against.
+    `scale(v)` is a typical length [m] that linear tolerances are measured against. `rows` is the order of the rows of
+    every Jacobian and twist. `robot` names a robot of the catalogue whose map stands in the report.
     """
 
     slug: str
@@ -145,10 +149,11 @@ class Exercise:
     objectives: tuple[str, ...] = ()
     minutes: int = 30
     symbols: Mapping[str, str] = field(default_factory=dict[str, str])
-    difficulty: Literal["easy", "medium", "hard"] = "medium"
     hidden: tuple[str, ...] = ()
+    structure: tuple[str, ...] = ()
     robot: str | None = None
     drawings: Callable[[Variant], tuple[Drawing, ...]] = field(default=lambda _: ())
+    rows: Rows = "linear, angular"
 
     def __post_init__(self) -> None:
         """Refuse what could not be collected, marked or printed.

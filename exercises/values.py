@@ -31,7 +31,7 @@ class ValueKindError(KinegradeError):
 
 
 def declared(answer: Answer, value: Any, v: Variant) -> Any:
-    """The value as its declared kind: an array, `Table`, `ExpressionArray`, letter, tuple of expressions, function, text.
+    """The value as its kind: an array, `Table`, `ExpressionArray`, letter, tuple of expressions, function, text.
 
     Raises:
         ValueKindError: it is none; the sentence says what it takes.

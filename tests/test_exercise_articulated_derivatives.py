@@ -5,7 +5,15 @@ import json
 import numpy as np
 import pytest
 from answers import EXERCISES, right_raws, variant_of
-from kinegrade.exercises.articulated_arm import LENGTHS, NAMES, PRINTED, STRUCTURES, derivatives, position, row
+from kinegrade.exercises.catalogue.articulated_arm import (
+    LENGTHS,
+    NAMES,
+    PRINTED,
+    STRUCTURES,
+    derivatives,
+    position,
+    row,
+)
 from kinegrade.exercises.exercise import references
 from kinegrade.grader.mark import mark
 from kinegrade.grader.wire import Raw

@@ -8,8 +8,16 @@ import numpy as np
 import pytest
 from answers import EXERCISES, right_raws, variant_of
 from kinegrade.course.notebook import printed
+from kinegrade.exercises.catalogue.find_the_mistake import (
+    FORMS,
+    KINDS,
+    SLIPS,
+    right_columns,
+    robot,
+    slip_of,
+    transforms,
+)
 from kinegrade.exercises.exercise import references
-from kinegrade.exercises.find_the_mistake import FORMS, KINDS, SLIPS, right_columns, robot, slip_of, transforms
 from kinegrade.grader.mark import mark
 from kinegrade.grader.wire import Raw
 from kinegrade.solutions.jacobian import jacobian

@@ -5,8 +5,8 @@ import json
 import numpy as np
 import pytest
 from answers import EXERCISES, right_raws, variant_of
+from kinegrade.exercises.catalogue.prismatic_columns import UNIT_OPTIONS
 from kinegrade.exercises.exercise import references
-from kinegrade.exercises.prismatic_columns import UNIT_OPTIONS
 from kinegrade.grader.mark import mark
 from kinegrade.grader.wire import Raw
 

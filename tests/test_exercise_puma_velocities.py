@@ -5,8 +5,8 @@ import re
 import numpy as np
 import pytest
 from answers import EXERCISES, right_raws, variant_of
+from kinegrade.exercises.catalogue.puma_velocities import ALONE, FAMILIES, FREE, HELD, WORDINGS, elbow_height
 from kinegrade.exercises.exercise import references
-from kinegrade.exercises.puma_velocities import ALONE, FAMILIES, FREE, HELD, WORDINGS, elbow_height
 from kinegrade.grader.mark import mark
 from kinegrade.grader.wire import Raw
 from kinegrade.solutions.robots import ROBOTS

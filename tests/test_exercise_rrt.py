@@ -3,9 +3,15 @@
 import numpy as np
 import pytest
 from answers import EXERCISES, right_raws, variant_of
+from kinegrade.exercises.catalogue.rrt_arm import FORMS, LENGTHS, robot
+from kinegrade.exercises.catalogue.rrt_formulas import (
+    EasierError,
+    determinant_of,
+    jacobian_of_table,
+    put_in,
+    singular_conditions,
+)
 from kinegrade.exercises.exercise import references
-from kinegrade.exercises.rrt_arm import FORMS, LENGTHS, robot
-from kinegrade.exercises.rrt_formulas import EasierError, determinant_of, jacobian_of_table, put_in, singular_conditions
 from kinegrade.grader.mark import mark
 from kinegrade.grader.read import read
 from kinegrade.grader.wire import Raw

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 from answers import EXERCISES, raws, variant_of
+from kinegrade.exercises.catalogue.three_axis import draw
 from kinegrade.exercises.exercise import references
-from kinegrade.exercises.three_axis import draw
 from kinegrade.grader.mark import mark
 
 EXERCISE = EXERCISES["three_axis"]

@@ -11,13 +11,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..solutions.jacobian import jacobian
-from ..solutions.robots import ROBOTS
-from ..solutions.velocity import pseudoinverse
-from .drawing import Drawing, Triad
-from .draws import angles, rates, until
-from .exercise import Exercise, Given, Mistake, Numbers, Outcome, Part, Step, Variant
-from .properties import meets
+from ...solutions.jacobian import jacobian
+from ...solutions.robots import ROBOTS
+from ...solutions.velocity import pseudoinverse
+from ..drawing import Drawing, Triad
+from ..draws import angles, rates, until
+from ..exercise import Exercise, Given, Mistake, Numbers, Outcome, Part, Step, Variant
+from ..properties import meets
 
 ROBOT = ROBOTS["puma560"]
 CHAIN = ROBOT.chain()

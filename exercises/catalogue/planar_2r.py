@@ -12,11 +12,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..solutions.chain import Chain, elementary, product
-from ..solutions.expression_array import ExpressionArray, expression_array, same_formulas, sampled
-from .drawing import Dimension, Drawing, Triad, point
-from .draws import CLEARANCE, angles, length, until
-from .exercise import Exercise, ExerciseError, Formulas, Given, Mistake, Numbers, Outcome, Part, Step, Variant
+from ...solutions.chain import Chain, elementary, product
+from ...solutions.expression_array import ExpressionArray, expression_array, same_formulas, sampled
+from ..drawing import Dimension, Drawing, Triad, point
+from ..draws import CLEARANCE, angles, length, until
+from ..exercise import Exercise, ExerciseError, Formulas, Given, Mistake, Numbers, Outcome, Part, Step, Variant
 
 Array = NDArray[np.float64]
 NAMES = ("l1", "l2", "beta", "q1", "q2")
@@ -353,7 +353,6 @@ EXERCISE = Exercise(
         "Reach the same Jacobian from transforms.",
     ),
     minutes=40,
-    difficulty="easy",
     robot="planar_2r",
     drawings=drawings,
     parts=(

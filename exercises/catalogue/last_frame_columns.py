@@ -12,12 +12,12 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from ..solutions.jacobian import jacobian
-from ..solutions.jacobian import last_frame_columns as last_frame
-from ..solutions.robots import ROBOTS, Robot
-from .drawing import Drawing, Triad
-from .draws import angles, length, until
-from .exercise import Exercise, Given, Mistake, Numbers, Part, Step, Variant
+from ...solutions.jacobian import jacobian
+from ...solutions.jacobian import last_frame_columns as last_frame
+from ...solutions.robots import ROBOTS, Robot
+from ..drawing import Drawing, Triad
+from ..draws import angles, length, until
+from ..exercise import Exercise, Given, Mistake, Numbers, Part, Step, Variant
 
 Array = NDArray[np.float64]
 LENGTHS = ("a2", "a3", "a4", "d6")

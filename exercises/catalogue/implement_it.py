@@ -10,10 +10,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..solutions.chain import from_modified, standard_transform
-from ..solutions.jacobian import jacobian as jacobian_of_chain
-from .answers import Calls
-from .exercise import Exercise, Function, Given, Manual, Mistake, Part, Step, Variant
+from ...solutions.chain import from_modified, standard_transform
+from ...solutions.jacobian import jacobian as jacobian_of_chain
+from ..answers import Calls
+from ..exercise import Exercise, Function, Given, Manual, Mistake, Part, Step, Variant
 from .find_the_mistake import SLIPS
 
 Array = NDArray[np.float64]
@@ -191,7 +191,6 @@ EXERCISE = Exercise(
         "Test a function with cases whose answer is known.",
     ),
     minutes=60,
-    difficulty="hard",
     hidden=tuple(GROUPS),
     parts=(
         Part(

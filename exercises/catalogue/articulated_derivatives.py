@@ -10,7 +10,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..solutions.expression_array import ExpressionArray, expression_array, same_formulas
+from ...solutions.expression_array import ExpressionArray, expression_array, same_formulas
+from ..draws import angles, length, until
+from ..exercise import Choice, Exercise, Formulas, Given, Mistake, Numbers, Outcome, Part, Step, Variant
 from .articulated_arm import (
     LENGTHS,
     MOUNTED,
@@ -23,8 +25,6 @@ from .articulated_arm import (
     row,
     structure_of,
 )
-from .draws import angles, length, until
-from .exercise import Choice, Exercise, Formulas, Given, Mistake, Numbers, Outcome, Part, Step, Variant
 
 Array = NDArray[np.float64]
 ROWS = tuple(f"articulated_derivatives_{x}" for x in "xyz")
@@ -222,7 +222,6 @@ EXERCISE = Exercise(
         "Tell from the axes of an arm which entries of its Jacobian are zero.",
     ),
     minutes=40,
-    difficulty="easy",
     robot="articulated_6r",
     parts=(
         *(row_part(i) for i in range(3)),

@@ -12,13 +12,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..solutions.jacobian import at_point, in_axes, jacobian
-from ..solutions.robot import Robot
-from .answers import LETTERS
-from .drawing import Drawing, Triad
-from .draws import angles, length, rates, until
-from .exercise import Choice, Exercise, Given, Mistake, Numbers, Part, Step, Variant
-from .printed_table import printed_table, table_rows
+from ...solutions.jacobian import at_point, in_axes, jacobian
+from ...solutions.robot import Robot
+from ..answers import LETTERS
+from ..drawing import Drawing, Triad
+from ..draws import angles, length, rates, until
+from ..exercise import Choice, Exercise, Given, Mistake, Numbers, Part, Step, Variant
+from ..printed_table import printed_table, table_rows
 from .small_rotations import LENGTHS, SENSES, TURNS, lengths, robot
 
 Array = NDArray[np.float64]

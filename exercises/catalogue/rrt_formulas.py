@@ -10,11 +10,11 @@ from typing import Any
 
 import numpy as np
 
-from ..solutions.errors import KinegradeError
-from ..solutions.expression import Expression, parse
-from ..solutions.expression_array import POINTS, ExpressionArray, expression_array, sample
-from ..solutions.robots import Robot
-from ..solutions.table import Table
+from ...solutions.errors import KinegradeError
+from ...solutions.expression import Expression, parse
+from ...solutions.expression_array import POINTS, ExpressionArray, expression_array, sample
+from ...solutions.robots import Robot
+from ...solutions.table import Table
 
 CELLS = tuple(f"{cell}{i}" for i in (1, 2, 3) for cell in ("theta", "d", "a", "alpha"))
 VARIABLES = {"theta1": "q1", "theta2": "q2", "d3": "q3"}  # cells that hold a joint variable

@@ -10,16 +10,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..solutions.expression import parse
-from ..solutions.jacobian import jacobian
-from ..solutions.robots import ROBOTS
-from ..solutions.singularity import factor_values, singular_values
-from .answers import LETTERS
-from .drawing import Drawing, Triad
-from .draws import angles, length, rates, until
-from .exercise import Choice, Configurations, Exercise, Given, Mistake, Numbers, Outcome, Part, Step, Variant
-from .printed_table import printed_table, table_rows
-from .properties import list_share, listed, parallel
+from ...solutions.expression import parse
+from ...solutions.jacobian import jacobian
+from ...solutions.robots import ROBOTS
+from ...solutions.singularity import factor_values, singular_values
+from ..answers import LETTERS
+from ..drawing import Drawing, Triad
+from ..draws import angles, length, rates, until
+from ..exercise import Choice, Configurations, Exercise, Given, Mistake, Numbers, Outcome, Part, Step, Variant
+from ..printed_table import printed_table, table_rows
+from ..properties import list_share, listed, parallel
 
 ROBOT = ROBOTS["puma560"]
 CHAIN = ROBOT.chain()
@@ -314,7 +314,6 @@ EXERCISE = Exercise(
         "Find the direction that a singular posture loses, and whether a velocity can still be reached.",
     ),
     minutes=60,
-    difficulty="hard",
     robot="puma560",
     drawings=drawings,
     parts=(

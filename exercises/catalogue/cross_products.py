@@ -12,10 +12,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..solutions.chain import Chain
-from .drawing import Drawing, Triad
-from .draws import until
-from .exercise import Exercise, Given, Mistake, Numbers, Outcome, Part, Step, Variant
+from ...solutions.chain import Chain
+from ..drawing import Drawing, Triad
+from ..draws import until
+from ..exercise import Exercise, Given, Mistake, Numbers, Outcome, Part, Step, Variant
 
 Array = NDArray[np.float64]
 KINDS = ("RRP", "RPR", "PRR")
@@ -331,7 +331,6 @@ EXERCISE = Exercise(
         "Build the columns of a Jacobian from axes and points, revolute and prismatic.",
     ),
     minutes=25,
-    difficulty="easy",
     drawings=drawings,
     parts=(
         Part(

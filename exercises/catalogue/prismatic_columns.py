@@ -6,13 +6,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..solutions.jacobian import jacobian
-from ..solutions.jacobian import last_frame_columns as last_frame
-from ..solutions.robots import ROBOTS
-from .answers import LETTERS
-from .drawing import Drawing, Triad
-from .draws import angles, length, until
-from .exercise import Choice, Exercise, Given, Mistake, Numbers, Outcome, Part, Step, Variant
+from ...solutions.jacobian import jacobian
+from ...solutions.jacobian import last_frame_columns as last_frame
+from ...solutions.robots import ROBOTS
+from ..answers import LETTERS
+from ..drawing import Drawing, Triad
+from ..draws import angles, length, until
+from ..exercise import Choice, Exercise, Given, Mistake, Numbers, Outcome, Part, Step, Variant
 
 Array = NDArray[np.float64]
 ROBOT = ROBOTS["stanford_spong"]

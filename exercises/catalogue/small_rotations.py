@@ -11,13 +11,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..solutions.robot import Robot
-from .answers import LETTERS
-from .drawing import Drawing, Triad
-from .draws import angles, length, until
-from .exercise import Choice, Exercise, Given, Mistake, Numbers, Outcome, Part, Step, Variant
-from .printed_table import printed_table, table_rows
-from .properties import turned
+from ...solutions.robot import Robot
+from ..answers import LETTERS
+from ..drawing import Drawing, Triad
+from ..draws import angles, length, until
+from ..exercise import Choice, Exercise, Given, Mistake, Numbers, Outcome, Part, Step, Variant
+from ..printed_table import printed_table, table_rows
+from ..properties import turned
 
 Array = NDArray[np.float64]
 KINDS = "RRPR"

@@ -8,7 +8,7 @@ from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
 
-from .exercise import Exercise, ExerciseError
+from ..exercise import Exercise, ExerciseError
 
 _DEFINES_EXERCISE = re.compile(r"^EXERCISE\b", re.MULTILINE)
 

@@ -8,10 +8,10 @@ table is unique.
 import numpy as np
 from numpy.typing import NDArray
 
-from ..solutions.expression import Expression, parse
-from ..solutions.expression_array import ExpressionArray, same_formulas
-from ..solutions.table import Table
-from .exercise import (
+from ...solutions.expression import Expression, parse
+from ...solutions.expression_array import ExpressionArray, same_formulas
+from ...solutions.table import Table
+from ..exercise import (
     Conditions,
     Exercise,
     Formulas,
@@ -24,7 +24,7 @@ from .exercise import (
     TableOf,
     Variant,
 )
-from .properties import proportional
+from ..properties import proportional
 from .rrt_arm import FORMS, LENGTHS, draw, drawings, lengths, robot_of
 from .rrt_formulas import (
     columns_of_frames,

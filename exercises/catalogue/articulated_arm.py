@@ -4,8 +4,8 @@ from collections.abc import Iterable, Mapping
 from itertools import product
 from typing import Any
 
-from ..solutions.expression_array import ExpressionArray, expression_array
-from .exercise import Variant
+from ...solutions.expression_array import ExpressionArray, expression_array
+from ..exercise import Variant
 
 Wave = tuple[int, str]  # a sine or cosine and its sign
 Coordinate = tuple[Wave | None, Wave]  # what holds q1, None along axis 1; what stands beside a2, a3 and a4

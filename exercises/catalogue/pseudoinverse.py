@@ -10,13 +10,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..solutions.jacobian import jacobian
-from ..solutions.robots import ROBOTS
-from ..solutions.velocity import pseudoinverse
-from .drawing import Drawing, Triad
-from .draws import until
-from .exercise import Choice, Exercise, Given, Manual, Mistake, Numbers, Outcome, Part, Step, Variant
-from .properties import is_pseudoinverse, is_right_inverse, meets, parallel
+from ...solutions.jacobian import jacobian
+from ...solutions.robots import ROBOTS
+from ...solutions.velocity import pseudoinverse
+from ..drawing import Drawing, Triad
+from ..draws import until
+from ..exercise import Choice, Exercise, Given, Manual, Mistake, Numbers, Outcome, Part, Step, Variant
+from ..properties import is_pseudoinverse, is_right_inverse, meets, parallel
 
 ROBOT = ROBOTS["panda"]
 CHAIN = ROBOT.chain()

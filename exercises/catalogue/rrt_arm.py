@@ -6,10 +6,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..solutions.robots import ROBOTS, Robot
-from .drawing import Dimension, Drawing, Triad, point
-from .draws import angles, length
-from .exercise import Variant
+from ...solutions.robots import ROBOTS, Robot
+from ..drawing import Dimension, Drawing, Triad, point
+from ..draws import angles, length
+from ..exercise import Variant
 
 Array = NDArray[np.float64]
 LENGTHS = ("d1", "a1", "d2", "l3")

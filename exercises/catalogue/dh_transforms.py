@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..solutions.chain import from_standard, modified_transform, standard_transform
-from .drawing import Drawing, Triad
-from .draws import angles, length, until
-from .exercise import Exercise, Formulas, Given, Mistake, Numbers, Outcome, Part, Step, Variant
+from ...solutions.chain import from_standard, modified_transform, standard_transform
+from ..drawing import Drawing, Triad
+from ..draws import angles, length, until
+from ..exercise import Exercise, Formulas, Given, Mistake, Numbers, Outcome, Part, Step, Variant
 
 Array = NDArray[np.float64]
 KINDS = ("RRP", "RPR")

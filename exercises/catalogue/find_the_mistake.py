@@ -14,12 +14,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..solutions.jacobian import in_axes, jacobian
-from ..solutions.robot import Robot
-from .answers import LETTERS
-from .drawing import Drawing, Triad
-from .draws import angles, length
-from .exercise import Choice, Exercise, Given, Mistake, Numbers, Outcome, Part, Step, Variant
+from ...solutions.jacobian import in_axes, jacobian
+from ...solutions.robot import Robot
+from ..answers import LETTERS
+from ..drawing import Drawing, Triad
+from ..draws import angles, length
+from ..exercise import Choice, Exercise, Given, Mistake, Numbers, Outcome, Part, Step, Variant
 
 Array = NDArray[np.float64]
 KINDS = "RRPR"

@@ -1,0 +1,131 @@
+"""A robot as one student has it: with the student's lengths, at the student's q."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property, lru_cache
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..solutions.jacobian import jacobian
+from ..solutions.robot import Robot
+from .answers import Variant
+from .drawing import Dimension, Drawing, Triad, point
+
+if TYPE_CHECKING:
+    from ..solutions.chain import Chain
+    from ..solutions.symbolic import ClosedForm
+
+Array = NDArray[Any]  # of floats: exercises are typed no further
+UNIT = {"R": "rad", "P": "m"}
+Ends = tuple[ArrayLike, ArrayLike]
+
+
+@dataclass(frozen=True, eq=False)
+class Arm:
+    """A robot with lengths [m] at one configuration q (n,) [rad, m]; lengths left out have their defaults."""
+
+    robot: Robot
+    lengths: Mapping[str, float]
+    q: Array
+
+    def at(self, q: ArrayLike) -> "Arm":
+        """The same arm elsewhere."""
+        return replace(self, q=np.asarray(q, dtype=float))
+
+    @property
+    def kinds(self) -> str:
+        """Joint types, such as "RRP"."""
+        return self.robot.kinds
+
+    @cached_property
+    def frames(self) -> Array:
+        """Frames (n + 1, 4, 4) in base coordinates as the source prints them; the last is the tool."""
+        return self.robot.frames(self.lengths, self.q)
+
+    @property
+    def T(self) -> Array:
+        """The tool frame (4, 4) in base coordinates."""
+        return self.frames[-1]
+
+    @property
+    def R(self) -> Array:
+        """The tool axes (3, 3) in base axes, as columns."""
+        return self.frames[-1, :3, :3]
+
+    @property
+    def p(self) -> Array:
+        """The tool point (3,) in base axes [m]."""
+        return self.frames[-1, :3, 3]
+
+    @property
+    def axes(self) -> Array:
+        """The joint axes (3, n) in base axes, as columns."""
+        return self.frames[:-1, :3, 2].T
+
+    @property
+    def origins(self) -> Array:
+        """A point (3, n) on every joint's axis in base axes [m], as columns."""
+        return self.frames[:-1, :3, 3].T
+
+    @property
+    def chain(self) -> "Chain":
+        """The arm as a chain."""
+        return self.robot.chain(self.lengths)
+
+    @cached_property
+    def J(self) -> Array:
+        """The Jacobian (6, n) in base axes at the tool point, linear rows above angular."""
+        return jacobian(self.chain, self.q)
+
+    @property
+    def closed(self) -> "ClosedForm":
+        """Frames and Jacobian in closed form."""
+        return self.robot.symbolic()
+
+    @property
+    def size(self) -> float:
+        """All lengths and strokes together [m]."""
+        strokes = [x for x, kind in zip(self.q, self.kinds, strict=True) if kind == "P"]
+        return float(sum(self.robot.values(self.lengths).values()) + sum(strokes))
+
+    def drawing(
+        self,
+        caption: str,
+        alt: str,
+        *,
+        base: str = "0",
+        tool: str = "tool",
+        lengths: Mapping[str, Ends] | None = None,
+        arrows: bool = True,
+    ) -> Drawing:
+        """The arm as it stands, its base and tool frame under these names; an empty name draws no frame.
+
+        `lengths` are dimension lines: name to the two ends in base coordinates [m].
+        """
+        frames = ((np.eye(4), base), (self.T, tool))
+        triads = tuple(Triad(pose, label) for pose, label in frames if label)
+        lines = tuple(
+            Dimension(point(np.asarray(start)), point(np.asarray(end)), name)
+            for name, (start, end) in (lengths or {}).items()
+        )
+        return Drawing(self.chain, tuple(self.q.tolist()), caption, alt, triads, lines, arrows)
+
+
+def arm_of(robot: Robot, v: Variant, names: tuple[str, ...] | None = None) -> Arm:
+    """The arm of a variant: q as drawn, and those of the robot's lengths that were drawn, or of `names` alone."""
+    sizes = robot.parameters if names is None else names
+    lengths = tuple((name, float(v[name])) for name in sizes if name in v)
+    return _kept(robot, lengths, tuple(float(x) for x in v["q"]))
+
+
+def units_of(robot: Robot) -> dict[str, str | list[str]]:
+    """Units of a robot's lengths and of q."""
+    return {**dict.fromkeys(robot.parameters, "m"), "q": [UNIT[kind] for kind in robot.kinds]}
+
+
+@lru_cache(maxsize=256)
+def _kept(robot: Robot, lengths: tuple[tuple[str, float], ...], q: tuple[float, ...]) -> Arm:
+    """One arm for one student, so that a chain is compiled once."""
+    return Arm(robot, dict(lengths), np.array(q))
