@@ -87,8 +87,9 @@ class Arm:
     @property
     def size(self) -> float:
         """All lengths and strokes together [m]."""
-        strokes = [x for x, kind in zip(self.q, self.kinds, strict=True) if kind == "P"]
-        return float(sum(self.robot.values(self.lengths).values()) + sum(strokes))
+        sizes = [*self.robot.values(self.lengths).values()]
+        sizes += [float(x) for x, kind in zip(self.q, self.kinds, strict=True) if kind == "P"]
+        return sum(map(abs, sizes))
 
     def drawing(
         self,

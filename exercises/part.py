@@ -44,10 +44,22 @@ RobotOf = Robot | Callable[..., Robot]
 
 @dataclass(frozen=True, eq=False)
 class Setting:
-    """What a ready-made question (questions.py) fits itself to: the robot, or one like it, and the order of rows."""
+    """What a ready-made question (questions/) fits itself to.
 
-    robot: Robot
+    Attributes:
+        arm: The arm of a first draw: its robot, or one like it.
+        rows: The order of the rows of a twist.
+        earlier: Names of the parts before the question.
+    """
+
+    arm: Arm
     rows: Rows
+    earlier: tuple[str, ...]
+
+    @property
+    def robot(self) -> Robot:
+        """The robot, or one like it."""
+        return self.arm.robot
 
 
 Ready = Callable[[Setting], Question]
@@ -71,7 +83,7 @@ def part(
     """
 
     def decorated(solve: Function) -> Question:
-        return Question(solve, points, answer, shows or {}, mistakes, check, options, solve.__name__)
+        return Question(solve, solve.__name__, points, answer, mistakes, check, shows or {}, options)
 
     return decorated
 
@@ -151,8 +163,12 @@ def _questions(
         return [one for one in parts if isinstance(one, Question)]
     if names.arm is None:
         raise ExerciseError(f"exercise {names.slug}: a ready-made question takes an exercise with a robot")
-    setting = Setting(names.arm(draw(np.random.default_rng(0))).robot, rows)
-    return [one if isinstance(one, Question) else one(setting) for one in parts]
+    arm = names.arm(draw(np.random.default_rng(0)))
+    questions: list[Question] = []
+    for one in parts:
+        earlier = tuple(question.name for question in questions)
+        questions.append(one if isinstance(one, Question) else one(Setting(arm, rows, earlier)))
+    return questions
 
 
 def _placed(questions: Sequence[Question], names: Names) -> list[Part]:

@@ -19,18 +19,20 @@ Wrong = tuple[str, Function]
 class Question:
     """A part before it is on a sheet: its function, and the functions that belong to it.
 
+    `docstring` stands for that of a function that is made for a robot (questions/).
     `options` are `follow`, `credit`, `tolerance` and `asked` of `Part`; `renamed` are parameters that stand for another
     name on the sheet.
     """
 
     solve: Function
+    name: str
     points: float
     answer: Answer
-    shows: Mapping[str, Function]
-    mistakes: Sequence[Wrong]
-    check: Function | None
-    options: Mapping[str, Any]
-    name: str
+    mistakes: Sequence[Wrong] = ()
+    check: Function | None = None
+    shows: Mapping[str, Function] = field(default_factory=dict[str, Function])
+    options: Mapping[str, Any] = field(default_factory=dict[str, Any])
+    docstring: str = ""
     renamed: Mapping[str, str] = field(default_factory=dict[str, str])
 
     def __call__(self, *values: Any, **named: Any) -> Any:
@@ -48,7 +50,7 @@ class Question:
     @cached_property
     def text(self) -> Docstring:
         """What its docstring says."""
-        return read_docstring(self.solve.__doc__ or "")
+        return read_docstring(self.docstring or self.solve.__doc__ or "")
 
 
 def put_on_sheet(question: Question, names: Names, earlier: Sequence[str]) -> Part:

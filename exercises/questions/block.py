@@ -1,0 +1,196 @@
+"""The square block of the task: its determinant, where it is singular, and its ellipsoid."""
+
+from functools import lru_cache
+
+import numpy as np
+
+from ...solutions.determinant import determinant as factored
+from ...solutions.ellipsoids import velocity_ellipsoid
+from ...solutions.expression import Expression, parse
+from ...solutions.expression_array import ExpressionArray, expression_array, same_formulas
+from ...solutions.robot import Robot
+from ...solutions.singularity import manipulability as product_of_values
+from ..answers import Conditions, Formulas, Numbers
+from ..arm import Arm, Array
+from ..exercise import ExerciseError, Outcome
+from ..part import Ready, Setting
+from ..properties import proportional
+from ..question import Question
+from ..twists import VELOCITIES, Chosen, jacobian_units, listed, rows_on_sheet
+from .frames import filled
+
+DETERMINANT = r"""The determinant of the rows @rows@ of $\mathbf J$ in base axes at the tool point, with its sign, as one formula in the names
+of your lengths and q1, q2 ...
+
+- It does not depend on the first joint where that one only turns or shifts the whole arm: choose it as you like.
+- Expand along a row or column with zeros.
+
+Written as a product:
+$$\det = <@name@>$$
+"""
+SINGULAR = r"""All postures in which the rows @rows@ of $\mathbf J$ are singular: a list of conditions in the names of your lengths and q1,
+q2 ..., each as text such as `'cos(q1) = 0'` or `'d1 + q3*q2 = 0'`; a posture is singular when one of them holds. Count
+postures within @limits@
+
+- Where is the determinant zero? Take its factors one by one.
+- An angle has more than one solution in a full turn.
+
+The determinant is a product, which is zero where one of its factors is:
+$$\det = <product>$$
+
+The factors that can be zero:
+$$<@name@>$$
+"""
+ELLIPSOID = r"""The half axes of the velocity ellipsoid of the @count@ rows @rows@ of $\mathbf J$: the sizes of the velocities that joint
+rates with $\dot q_1^2 + \cdots + \dot q_{@n@}^2 = 1$ give along its axes, the largest first
+
+- They are the singular values of the block.
+- The eigenvalues of $\mathbf J \mathbf J^T$ are their squares.
+
+The singular values of the block, $\mathbf J = \mathbf U\,\mathrm{diag}(\sigma_1, \ldots)\,\mathbf V^T$:
+$$\boldsymbol\sigma = <@name@>$$
+"""
+MANIPULABILITY = r"""The manipulability $w = \sqrt{\det(\mathbf J \mathbf J^T)}$ of the rows @rows@ of $\mathbf J$
+
+- For a square block it is the size of the determinant.
+- It is the product of the half axes of the velocity ellipsoid.
+
+The product of the singular values:
+$$w = <@name@>$$
+"""
+CONSTANT = (
+    "It is the determinant times a constant: it is zero in the right postures, but the determinant itself is asked."
+)
+SQUARES = "These are the squares: eigenvalues of J J^T. The half axes are their roots."
+INVERSES = "These are the half axes of the force ellipsoid, the inverses; those of the velocity ellipsoid are asked."
+SQUARE = "This is det(J J^T), the square; the root is missing."
+
+
+@lru_cache(maxsize=128)
+def product(robot: Robot) -> ExpressionArray:
+    """The determinant of a robot's task block as a product."""
+    return expression_array(factored(robot).expression, robot.names)
+
+
+@lru_cache(maxsize=128)
+def factors(robot: Robot) -> tuple[Expression, ...]:
+    """The factors of that determinant that hold a joint."""
+    return tuple(parse(str(factor), robot.names) for _, factor, _ in factored(robot).factors)
+
+
+def determinant(*, name: str = "det", points: float = 2) -> Ready:
+    """The determinant of the robot's task rows as a formula; a multiple of it is named."""
+
+    def ready(setting: Setting) -> Question:
+        robot = setting.robot
+        _check_names(setting, "determinant")
+        rows = rows_on_sheet("task", setting.rows, robot.task_rows)
+        text = filled(DETERMINANT, rows=listed(VELOCITIES, rows), name=name)
+        return Question(_determinant, name, points, Formulas((), robot.names), check=named_multiple, docstring=text)
+
+    return ready
+
+
+def _check_names(setting: Setting, what: str) -> None:
+    """Formulas are in names of the sheet: a length that is not drawn has none there."""
+    missing = sorted(product(setting.robot).names - {*setting.robot.joints, *setting.arm.lengths})
+    if missing:
+        raise ExerciseError(
+            f"{what} takes an arm whose lengths are drawn, since it asks for formulas in their names; "
+            f"{', '.join(missing)} of {setting.robot.name} should be among the drawn numbers"
+        )
+
+
+def _determinant(arm: Arm) -> ExpressionArray:
+    return product(arm.robot)
+
+
+def named_multiple(arm: Arm, value: ExpressionArray) -> Outcome | None:
+    """Names a determinant that lacks a constant factor; right and wrong stay with the comparison."""
+    wanted, names = product(arm.robot), arm.robot.names
+    if same_formulas(value, wanted, names).all() or not proportional(value, wanted, names):
+        return None
+    return Outcome(finding=CONSTANT)
+
+
+def singular(*, name: str = "singular", points: float = 3) -> Ready:
+    """All conditions under which the robot's task rows are singular, within its limits."""
+
+    def ready(setting: Setting) -> Question:
+        robot = setting.robot
+        _check_names(setting, "singular")
+        rows = rows_on_sheet("task", setting.rows, robot.task_rows)
+        limits = limits_of(robot)
+        text = filled(SINGULAR, rows=listed(VELOCITIES, rows), limits=_said(limits, robot.kinds), name=name)
+        answer = Conditions(robot.names, lambda _: limits)
+        shows = {"product": lambda arm: product(arm.robot)}
+        return Question(_factors, name, points, answer, shows=shows, docstring=text)
+
+    return ready
+
+
+def _factors(arm: Arm) -> tuple[Expression, ...]:
+    return factors(arm.robot)
+
+
+def limits_of(robot: Robot) -> dict[str, tuple[float, float]]:
+    """The range of every joint within which conditions count [rad, m].
+
+    A full turn, or a slide's longest stroke to both sides, since a stroke of zero may be what is asked.
+    """
+    ranges: dict[str, tuple[float, float]] = {}
+    for joint, kind, (_, longest) in zip(robot.joints, robot.kinds, robot.limits, strict=True):
+        most = np.pi if kind == "R" else round(longest, 2)
+        ranges[joint] = (-most, most)
+    return ranges
+
+
+def _said(limits: dict[str, tuple[float, float]], kinds: str) -> str:
+    said = [r"every angle from $-\pi$ to $\pi$"]
+    for (joint, (low, high)), kind in zip(limits.items(), kinds, strict=True):
+        if kind == "P":
+            said.append(
+                f"${joint[0]}_{joint[1:]}$ from −{-low:g} m to {high:g} m, the slide running through to the other side"
+            )
+    return " and ".join(said)
+
+
+def ellipsoid(
+    *, rows: Chosen = "linear", name: str = "axes", points: float = 2, decimals: int = 3, J: str = "J"
+) -> Ready:
+    """Half axes (m,) of the velocity ellipsoid of the Jacobian `J` before it, which has these rows."""
+
+    def ready(setting: Setting) -> Question:
+        asked = rows_on_sheet(rows, setting.rows, setting.robot.task_rows)
+        text = filled(ELLIPSOID, count=len(asked), rows=listed(VELOCITIES, asked), n=setting.robot.n, name=name)
+        mistakes = (
+            (SQUARES, lambda J: velocity_ellipsoid(J).lengths ** 2),
+            (INVERSES, lambda J: np.sort(1 / velocity_ellipsoid(J).lengths)[::-1]),
+        )
+        answer = Numbers((len(asked),), jacobian_units(asked, "R")[0][0], decimals)
+        return Question(_half_axes, name, points, answer, mistakes, docstring=text, renamed={"J": J})
+
+    return ready
+
+
+def _half_axes(J: Array) -> Array:
+    return velocity_ellipsoid(J).lengths
+
+
+def manipulability(
+    *, rows: Chosen = "task", name: str = "w", points: float = 1, decimals: int = 4, J: str = "J"
+) -> Ready:
+    """Manipulability (Yoshikawa, 1985) of the Jacobian `J` before it, which has these rows."""
+
+    def ready(setting: Setting) -> Question:
+        asked = rows_on_sheet(rows, setting.rows, setting.robot.task_rows)
+        text = filled(MANIPULABILITY, rows=listed(VELOCITIES, asked), name=name)
+        mistakes = ((SQUARE, lambda J: product_of_values(J) ** 2),)
+        answer = Numbers((), "1", decimals)
+        return Question(_manipulability, name, points, answer, mistakes, docstring=text, renamed={"J": J})
+
+    return ready
+
+
+def _manipulability(J: Array) -> Array:
+    return product_of_values(J)

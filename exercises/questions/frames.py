@@ -1,0 +1,133 @@
+"""From the drawing to the table, and from the table to the frames."""
+
+from typing import Any
+
+import numpy as np
+
+from ...solutions.table import Table
+from ..answers import Numbers, TableOf
+from ..arm import Arm, Array
+from ..exercise import ExerciseError
+from ..part import Ready, Setting
+from ..question import Question
+
+POSE = [["1", "1", "1", "m"]] * 3 + [["1"] * 4]
+AXIS = {"standard": r"\mathbf z_{i-1}", "modified": r"\mathbf z_i"}
+TABLE = r"""The Denavit–Hartenberg table: one row $[\theta_i, d_i, a_i, \alpha_i]$ per joint, as text in the names of your
+lengths and q1, q2 ..., for instance `['q1 + pi', 0.25, 'd1', 'pi/3']`, or as numbers at your $\mathbf q$ (radians, metres)
+
+- Which way does the positive arrow of each joint make its axis point?
+- A prismatic joint's variable stands in the column d.
+
+@axis@ lies along the axis of joint $i$, in its positive sense. Then $d_i$ and $\theta_i$ are measured along and about
+$\mathbf z$, $a_i$ and $\alpha_i$ along and about $\mathbf x$. The columns are $\theta_i, d_i, a_i, \alpha_i$:
+$$\mathrm{DH} = <@name@>$$
+"""
+ROW = {
+    "standard": r"$\mathbf T_{i-1}^{i} = R_z(\theta_i)\,T_z(d_i)\,T_x(a_i)\,R_x(\alpha_i)$",
+    "modified": r"$\mathbf T_{i-1}^{i} = R_x(\alpha_i)\,T_x(a_i)\,R_z(\theta_i)\,T_z(d_i)$",
+    "frames": r"the transform from frame $i-1$ to frame $i$",
+}
+TRANSFORMS = r"""The poses of frames 1 to @n@@tool@ in the base frame at your $\mathbf q$, $\mathbf T_0^1, \mathbf T_0^2, \ldots$,
+stacked to an array @count@ × 4 × 4
+
+- Multiply from the left to the right: T01, then T01 @ T12, and so on.
+
+Each row gives @row@, and $\mathbf T_0^i = \mathbf T_0^1 \mathbf T_1^2 \cdots \mathbf T_{i-1}^{i}$. The last pose in closed form:
+$$\mathbf T = <closed>$$
+
+With your numbers:
+$$\mathbf T_0^1, \ldots = <@name@>$$
+"""
+NEXT = "These lead from each frame to the next; all of them shall start at the base frame."
+
+
+def filled(text: str, **values: object) -> str:
+    """A text with @name@ replaced."""
+    for name, value in values.items():
+        text = text.replace(f"@{name}@", str(value))
+    return text
+
+
+def dh_table(*, name: str = "dh", points: float = 3, decimals: int = 3) -> Ready:
+    """The table of the arm off its drawing, cell by cell; the sheet then prints no table.
+
+    The base frame, the tool frame and the home pose are drawn; that fixes the table of an arm whose neighbouring axes
+    cross at right angles or lie apart.
+    """
+
+    def ready(setting: Setting) -> Question:
+        robot = setting.robot
+        if robot.convention == "frames":
+            raise ExerciseError(f"dh_table takes a robot with a Denavit-Hartenberg table, got {robot.name}")
+        answer = TableOf(tuple(robot.parameters), robot.kinds, robot.convention, decimals)
+        text = filled(TABLE, axis=f"${AXIS[robot.convention]}$", name=name)
+        return Question(_table_of, name, points, answer, docstring=text)
+
+    return ready
+
+
+def _table_of(arm: Arm) -> Table:
+    return arm.robot.table
+
+
+def transforms(*, name: str = "T", points: float = 3, decimals: int = 3) -> Ready:
+    """The poses of all frames behind the base, (n, 4, 4), with the tool behind them where it is another frame.
+
+    They follow from the student's own table where one is asked before.
+    """
+
+    def ready(setting: Setting) -> Question:
+        robot = setting.robot
+        count = len(poses(setting.arm))
+        text = filled(
+            TRANSFORMS,
+            n=robot.n,
+            count=count,
+            tool=" and of the tool frame" if count > robot.n else "",
+            row=ROW[robot.convention],
+            name=name,
+        )
+        own_table = "dh" in setting.earlier and not robot.tool
+        wrong = (NEXT, _next_of_table if own_table else _next)
+        return Question(
+            _of_table if own_table else poses,
+            name,
+            points,
+            Numbers((count, 4, 4), [POSE], decimals),
+            mistakes=(wrong,) if count > 1 else (),
+            shows={"closed": lambda arm: arm.closed.T},
+            docstring=text,
+        )
+
+    return ready
+
+
+def poses(arm: Arm) -> Array:
+    """Frames behind the base (k, 4, 4): all that the source prints, the tool once."""
+    frames = arm.frames[1:] if arm.robot.convention == "standard" else arm.frames
+    return frames[:-1] if _same(frames) else frames
+
+
+def _of_table(arm: Arm, dh: Table) -> Array:
+    frames = dh.frames(arm.robot.values(arm.lengths), arm.q)
+    return frames[1:] if dh.convention == "standard" else frames[:-1]  # a modified table has its tool at the end
+
+
+def _same(frames: Array) -> bool:
+    """Whether the tool is the last frame."""
+    return len(frames) > 1 and bool(np.abs(frames[-1] - frames[-2]).max() < 1e-12)
+
+
+def _next(arm: Arm) -> Array:
+    return steps(poses(arm))
+
+
+def _next_of_table(arm: Arm, dh: Table) -> Array:
+    return steps(_of_table(arm, dh))
+
+
+def steps(T: Any) -> Array:
+    """From each pose to the next, the first from the base."""
+    before = np.concatenate([np.eye(4)[None], T[:-1]])
+    return np.linalg.inv(before) @ T

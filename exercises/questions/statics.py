@@ -1,0 +1,104 @@
+"""Joint torques that hold a force and a moment at the tool."""
+
+from inspect import signature
+from typing import Any, Literal
+
+import numpy as np
+
+from ..answers import Numbers
+from ..arm import Arm, Array
+from ..part import Ready, Setting
+from ..question import Question
+from ..twists import LOADS, Chosen, listed, rows_on_sheet, torque_units
+from .frames import filled
+
+TORQUES = r"""The joint torques $\boldsymbol\tau$ (along a slide: the force) that the drives give while the tool applies the
+force and moment @wrench@ to its surroundings, @axes@; without gravity and friction
+
+- Power is the same at the joints and at the tool: $\boldsymbol\tau^T \dot{\mathbf q} = \mathbf F^T \mathbf J \dot{\mathbf q}$ for all rates.
+- Are force and Jacobian given in the same axes?
+
+Because that holds for all rates, $\boldsymbol\tau = \mathbf J^T \mathbf F$@turned@:
+$$\boldsymbol\tau = <@name@>$$
+"""
+TURNED = r", with $\mathbf F$ turned into base axes first by the tool axes $\mathbf R$, the columns of the tool frame"
+NOT_TURNED = "The force seems to be used as if it were given in base axes; it is given in the axes of the tool frame."
+TURNED_AWAY = "The force seems to be turned the wrong way round: the tool axes R lead from tool axes to base axes."
+UNTRANSPOSED = "J F is no torque: power is the same in both spaces, so the transposed J stands here."
+INVERSE = "This comes from the inverse of J; torques follow from the transposed J."
+DIFFERENT = 1e-3
+SIGN = "Every sign is reversed: the tool applies this force to its surroundings, it does not bear it."
+
+
+def torques(
+    *,
+    rows: Chosen = "all",
+    axes: Literal["base", "tool"] = "base",
+    name: str = "tau",
+    points: float = 3,
+    decimals: int = 3,
+    J: str = "J",
+    wrench: str = "wrench",
+) -> Ready:
+    """Joint torques (n,) for the drawn `wrench` in the rows of the Jacobian `J` before it (tool point, base axes).
+
+    With `axes="tool"` the wrench is given in tool axes; then `rows` are whole blocks.
+    """
+
+    def ready(setting: Setting) -> Question:
+        robot = setting.robot
+        asked = rows_on_sheet(rows, setting.rows, robot.task_rows)
+        in_tool_axes = axes == "tool"
+        text = filled(
+            TORQUES,
+            wrench=listed(LOADS, asked),
+            axes="given in the axes of the tool frame" if in_tool_axes else "in base axes",
+            turned=TURNED if in_tool_axes else "",
+            name=name,
+        )
+        wrong: list[tuple[str, Any]] = [(SIGN, lambda arm, J, wrench: -_torques(J, base(arm, wrench, axes)))]
+        if in_tool_axes:
+            wrong += [
+                (NOT_TURNED, lambda J, wrench: J.T @ wrench),
+                (TURNED_AWAY, lambda arm, J, wrench: J.T @ turned(arm.R.T, wrench)),
+            ]
+        if len(asked) == robot.n:
+            wrong += [
+                (UNTRANSPOSED, lambda arm, J, wrench: J @ base(arm, wrench, axes)),
+                (INVERSE, lambda arm, J, wrench: np.linalg.pinv(J) @ base(arm, wrench, axes)),
+            ]
+
+        def tau(arm: Arm, J: Array, wrench: Array) -> Array:
+            return _torques(J, base(arm, wrench, axes))
+
+        shown = _showing(wrong, tau, setting.arm, asked)
+        answer = Numbers((robot.n,), torque_units(robot.kinds), decimals)
+        renamed = {"J": J, "wrench": wrench}
+        return Question(tau, name, points, answer, shown, docstring=text, renamed=renamed)
+
+    return ready
+
+
+def _showing(wrong: list[tuple[str, Any]], tau: Any, arm: Arm, rows: list[int]) -> list[tuple[str, Any]]:
+    """The mistakes that change the torques of such an arm."""
+    known = {"arm": arm, "J": arm.J[rows], "wrench": np.arange(2.0, 2.0 + len(rows)) ** 1.5}
+    right = tau(**known)
+    return [(said, of) for said, of in wrong if np.abs(_called(of, known) - right).max() > DIFFERENT]
+
+
+def _called(function: Any, known: dict[str, Any]) -> Array:
+    return function(**{name: known[name] for name in signature(function).parameters})
+
+
+def _torques(J: Array, F: Array) -> Array:
+    return J.T @ F
+
+
+def base(arm: Arm, wrench: Array, axes: Literal["base", "tool"]) -> Array:
+    """A wrench of whole blocks (3,) or (6,), given in these axes, in base axes."""
+    return turned(arm.R, wrench) if axes == "tool" else wrench
+
+
+def turned(R: Array, wrench: Array) -> Array:
+    """Both blocks of a wrench (3,) or (6,) times R."""
+    return (R @ wrench.reshape(-1, 3).T).T.ravel()
