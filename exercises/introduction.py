@@ -3,6 +3,8 @@
 from collections.abc import Sequence
 from typing import Any
 
+import numpy as np
+
 from ..solutions.robot import Robot
 from .arm import Arm
 from .drawing import Drawing
@@ -24,6 +26,50 @@ def drawn_arm(arm: Arm) -> Drawing:
     joints = ", ".join(WORDS[kind] for kind in arm.kinds)
     alt = f"{arm.robot.title}, its joints {joints} from the base on, drawn at your q with base and tool frame."
     return arm.drawing("The arm at your q, with its base frame and its tool frame.", alt)
+
+
+def off_the_drawing(arm: Arm) -> str:
+    """The introduction where the table itself is asked: what fixes it is said and drawn instead."""
+    convention = arm.robot.convention
+    figures = (
+        "The first figure shows it where all joint variables that are angles are zero, with frame 0, the tool frame, the "
+        r"lengths and the positive sense of each joint; the second shows it at your $\mathbf q$."
+    )
+    convention_said = (
+        f"Use the **{convention}** Denavit–Hartenberg convention, ${AXIS[convention]}$ along the axis of joint $i$ in "
+        "its positive sense. The last frame is the tool frame that is drawn."
+    )
+    return f"{arm.robot.title}. {figures}\n\n{convention_said}"
+
+
+def home_and_now(arm: Arm) -> tuple[Drawing, Drawing]:
+    """The arm with its angles at zero and its lengths, and at the student's q."""
+    joints = ", ".join(WORDS[kind] for kind in arm.kinds)
+    alt = f"{arm.robot.title}, its joints {joints} from the base on. "
+    home = arm.at([0.0 if kind == "R" else x for kind, x in zip(arm.kinds, arm.q, strict=True)])
+    captions = ("The angles at zero, with the positive sense of each joint.", "The same arm at your q.")
+    first = home.drawing(captions[0], alt + captions[0], lengths=_lengths(home))
+    return first, arm.drawing(captions[1], alt + captions[1], base="", tool="")
+
+
+def _lengths(arm: Arm) -> dict[str, tuple[Any, Any]]:
+    """Dimension lines of the lengths and strokes that stand alone in a cell of the table."""
+    lines: dict[str, tuple[Any, Any]] = {}
+    names = {*arm.robot.parameters, *arm.robot.joints}
+    standard = arm.robot.convention == "standard"
+    frames = arm.frames if standard else [np.eye(4), *arm.frames]
+    for row, before, after in zip(arm.robot.rows, frames, frames[1:], strict=False):
+        _, d, a, _ = (str(cell) for cell in row)
+        start, end = before[:3, 3], after[:3, 3]
+        # standard: first d along the old z, then a along the new x; modified: first a along the old x, then d
+        if standard:
+            corner = end - after[:3, 0] * ((end - start) @ after[:3, 0])
+            found = {d: (start, corner), a: (corner, end)}
+        else:
+            corner = start + before[:3, 0] * ((end - start) @ before[:3, 0])
+            found = {a: (start, corner), d: (corner, end)}
+        lines |= {name: ends for name, ends in found.items() if name in names and name not in lines}
+    return lines
 
 
 def _table(arm: Arm) -> str:

@@ -31,11 +31,11 @@ import numpy as np
 
 from ..solutions.robot import Robot
 from ..solutions.robots import ROBOTS
-from .answers import Answer, Variant
+from .answers import Answer, TableOf, Variant
 from .arm import Arm, arm_of, units_of
 from .drawing import Drawing
 from .exercise import Exercise, ExerciseError, Part, Rows
-from .introduction import drawn_arm, introduction
+from .introduction import drawn_arm, home_and_now, introduction, off_the_drawing
 from .names import Function, Names
 from .question import Question, Wrong, put_on_sheet
 
@@ -123,6 +123,8 @@ def exercise(
     drawn = frozenset((*known_units, *hidden, *structure))
     names = Names(slug, drawn, _arm(robot, Names(slug, drawn, None), sizes))
     questions = _questions(parts, names, draw, rows)
+    if statement is None and any(isinstance(question.answer, TableOf) for question in questions):
+        statement, drawings = off_the_drawing, drawings or home_and_now  # a printed table would be the answer
     if robot_map is None and isinstance(robot, Robot) and ROBOTS.get(robot.name) is robot:
         robot_map = robot.name
     return Exercise(

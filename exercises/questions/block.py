@@ -30,7 +30,7 @@ $$\det = <@name@>$$
 """
 SINGULAR = r"""All postures in which the rows @rows@ of $\mathbf J$ are singular: a list of conditions in the names of your lengths and q1,
 q2 ..., each as text such as `'cos(q1) = 0'` or `'d1 + q3*q2 = 0'`; a posture is singular when one of them holds. Count
-postures within @limits@
+postures with @limits@
 
 - Where is the determinant zero? Take its factors one by one.
 - An angle has more than one solution in a full turn.

@@ -13,7 +13,7 @@ from ..twists import LOADS, Chosen, listed, rows_on_sheet, torque_units
 from .frames import filled
 
 TORQUES = r"""The joint torques $\boldsymbol\tau$ (along a slide: the force) that the drives give while the tool applies the
-force and moment @wrench@ to its surroundings, @axes@; without gravity and friction
+force and moment @wrench@ among your numbers to its surroundings, @axes@; without gravity and friction
 
 - Power is the same at the joints and at the tool: $\boldsymbol\tau^T \dot{\mathbf q} = \mathbf F^T \mathbf J \dot{\mathbf q}$ for all rates.
 - Are force and Jacobian given in the same axes?

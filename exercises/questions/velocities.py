@@ -42,7 +42,7 @@ TURNED = (
 BASE_AXES = "This is the Jacobian in base axes; the axes of the tool frame are asked."
 AT_TOOL = "This is the Jacobian of the tool point; another point is asked."
 BEYOND = "A joint behind that frame cannot move its origin; look again at the last columns."
-TWIST = r"""The twist @twist@ of the tool at the joint rates @symbol@
+TWIST = r"""The twist @twist@ of the tool at the joint rates @symbol@ among your numbers
 
 - One matrix times one vector: the joint rates are the weights of the columns.
 
@@ -50,7 +50,7 @@ $\boldsymbol\xi = \mathbf J \dot{\mathbf q}$:
 $$\boldsymbol\xi = <@name@>$$
 """
 TRANSPOSED_TWIST = "This is J transposed times the joint rates; joint rates are weights of the columns of J."
-RATES = r"""The joint rates $\dot{\mathbf q}$ @least@at which the tool has the velocity @twist@ that is given
+RATES = r"""The joint rates $\dot{\mathbf q}$ @least@at which the tool has the velocity @twist@ that is given among your numbers
 
 - Which rows of $\mathbf J$ take part?
 - Are there as many of them as joints, or fewer?
