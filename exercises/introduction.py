@@ -32,7 +32,7 @@ def off_the_drawing(arm: Arm) -> str:
     """The introduction where the table itself is asked: what fixes it is said and drawn instead."""
     convention = arm.robot.convention
     figures = (
-        "The first figure shows it where all joint variables that are angles are zero, with frame 0, the tool frame, the "
+        "The first figure shows it with all joint angles at zero, with frame 0, the tool frame, the "
         r"lengths and the positive sense of each joint; the second shows it at your $\mathbf q$."
     )
     convention_said = (

@@ -12,16 +12,16 @@ from ..question import Question
 from ..twists import LOADS, Chosen, listed, rows_on_sheet, torque_units
 from .frames import filled
 
-TORQUES = r"""The joint torques $\boldsymbol\tau$ (along a slide: the force) that the drives give while the tool applies the
-force and moment @wrench@ among your numbers to its surroundings, @axes@; without gravity and friction
+TORQUES = r"""The joint torques $\boldsymbol\tau$@slides@ with which the drives hold the arm at your $\mathbf q$ while the tool applies the
+@load@ $@symbol@ =$ @wrench@ to its surroundings, @axes@; without gravity and friction
 
 - Power is the same at the joints and at the tool: $\boldsymbol\tau^T \dot{\mathbf q} = \mathbf F^T \mathbf J \dot{\mathbf q}$ for all rates.
 - Are force and Jacobian given in the same axes?
 
-Because that holds for all rates, $\boldsymbol\tau = \mathbf J^T \mathbf F$@turned@:
+Because that holds for all rates, $\boldsymbol\tau = \mathbf J^T @symbol@$@turned@:
 $$\boldsymbol\tau = <@name@>$$
 """
-TURNED = r", with $\mathbf F$ turned into base axes first by the tool axes $\mathbf R$, the columns of the tool frame"
+TURNED = r", with the force turned into base axes first by the tool axes $\mathbf R$, the columns of the tool frame"
 NOT_TURNED = "The force seems to be used as if it were given in base axes; it is given in the axes of the tool frame."
 TURNED_AWAY = "The force seems to be turned the wrong way round: the tool axes R lead from tool axes to base axes."
 UNTRANSPOSED = "J F is no torque: power is the same in both spaces, so the transposed J stands here."
@@ -39,8 +39,9 @@ def torques(
     decimals: int = 3,
     J: str = "J",
     wrench: str = "wrench",
+    symbol: str = r"\mathbf F",
 ) -> Ready:
-    """Joint torques (n,) for the drawn `wrench` in the rows of the Jacobian `J` before it (tool point, base axes).
+    """Joint torques (n,) for the drawn `wrench`, printed as `symbol`, in the rows of the Jacobian `J` before it (tool point, base axes).
 
     With `axes="tool"` the wrench is given in tool axes; then `rows` are whole blocks.
     """
@@ -51,6 +52,9 @@ def torques(
         in_tool_axes = axes == "tool"
         text = filled(
             TORQUES,
+            slides=" (and forces along slides)" if "P" in robot.kinds else "",
+            load=_load(asked),
+            symbol=symbol,
             wrench=listed(LOADS, asked),
             axes="given in the axes of the tool frame" if in_tool_axes else "in base axes",
             turned=TURNED if in_tool_axes else "",
@@ -77,6 +81,12 @@ def torques(
         return Question(tau, name, points, answer, shown, docstring=text, renamed=renamed)
 
     return ready
+
+
+def _load(rows: list[int]) -> str:
+    if max(rows) < 3:
+        return "force"
+    return "moment" if min(rows) > 2 else "force and moment"
 
 
 def _showing(wrong: list[tuple[str, Any]], tau: Any, arm: Arm, rows: list[int]) -> list[tuple[str, Any]]:

@@ -42,7 +42,7 @@ TURNED = (
 BASE_AXES = "This is the Jacobian in base axes; the axes of the tool frame are asked."
 AT_TOOL = "This is the Jacobian of the tool point; another point is asked."
 BEYOND = "A joint behind that frame cannot move its origin; look again at the last columns."
-TWIST = r"""The twist @twist@ of the tool at the joint rates @symbol@ among your numbers
+TWIST = r"""The twist $\boldsymbol\xi =$ @twist@ of the tool at your $\mathbf q$ for the joint rates $@symbol@$
 
 - One matrix times one vector: the joint rates are the weights of the columns.
 
@@ -50,7 +50,7 @@ $\boldsymbol\xi = \mathbf J \dot{\mathbf q}$:
 $$\boldsymbol\xi = <@name@>$$
 """
 TRANSPOSED_TWIST = "This is J transposed times the joint rates; joint rates are weights of the columns of J."
-RATES = r"""The joint rates $\dot{\mathbf q}$ @least@at which the tool has the velocity @twist@ that is given among your numbers
+RATES = r"""The joint rates $\dot{\mathbf q}$ @least@at which the tool has the velocity $@symbol@ =$ @twist@ at your $\mathbf q$
 
 - Which rows of $\mathbf J$ take part?
 - Are there as many of them as joints, or fewer?
@@ -58,10 +58,10 @@ RATES = r"""The joint rates $\dot{\mathbf q}$ @least@at which the tool has the v
 @how@
 $$\dot{\mathbf q} = <@name@>$$
 """
-SQUARE = r"There are as many rows as joints, so $\dot{\mathbf q} = \mathbf J^{-1} \boldsymbol\xi$:"
+SQUARE = r"There are as many rows as joints, so $\dot{\mathbf q} = \mathbf J^{-1} @symbol@$:"
 WIDE = (
     r"There are more joints than rows; of all rates that give the velocity those of least norm are "
-    r"$\dot{\mathbf q} = \mathbf J^{+} \boldsymbol\xi$ with $\mathbf J^{+} = \mathbf J^{T} (\mathbf J \mathbf J^{T})^{-1}$:"
+    r"$\dot{\mathbf q} = \mathbf J^{+} @symbol@$ with $\mathbf J^{+} = \mathbf J^{T} (\mathbf J \mathbf J^{T})^{-1}$:"
 )
 TRANSPOSED = (
     "This comes from J transposed, which is no inverse: put the rates into J and look at the velocity they give."
@@ -202,12 +202,13 @@ def twist(
     decimals: int = 3,
     J: str = "J",
     qdot: str = "qdot",
+    symbol: str = r"\dot{\mathbf q}",
 ) -> Ready:
-    """The twist (m,) that the drawn joint rates `qdot` give; `rows` are those of the Jacobian `J` before it."""
+    """The twist (m,) that the drawn joint rates `qdot`, printed as `symbol`, give; `rows` are those of the Jacobian `J` before it."""
 
     def ready(setting: Setting) -> Question:
         asked = rows_on_sheet(rows, setting.rows, setting.robot.task_rows)
-        text = filled(TWIST, twist=listed(VELOCITIES, asked), symbol=r"$\dot{\mathbf q}$", name=name)
+        text = filled(TWIST, twist=listed(VELOCITIES, asked), symbol=symbol, name=name)
         answer = Numbers((len(asked),), twist_units(asked), decimals)
         wrong = ((TRANSPOSED_TWIST, lambda J, qdot: J.T @ qdot),) if len(asked) == setting.robot.n else ()
         renamed = {"J": J, "qdot": qdot}
@@ -228,8 +229,9 @@ def rates(
     decimals: int = 4,
     J: str = "J",
     xi: str = "xi",
+    symbol: str = r"\boldsymbol\xi",
 ) -> Ready:
-    """Joint rates (n,) for the drawn velocity `xi` in the rows of the Jacobian `J` before it.
+    """Joint rates (n,) for the drawn velocity `xi`, printed as `symbol`, in the rows of the Jacobian `J` before it.
 
     They are unique for a square block, and those of least norm where there are fewer rows than joints. Rates are right
     by the velocity they reach, too.
@@ -243,6 +245,7 @@ def rates(
             least="" if square else "of least norm ",
             twist=listed(VELOCITIES, asked),
             how=SQUARE if square else WIDE,
+            symbol=symbol,
             name=name,
         )
         return Question(
