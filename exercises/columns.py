@@ -42,7 +42,10 @@ def right(T: Any, kinds: str) -> Any:
 
 
 def closed(robot: Robot, way: Columns = right) -> ExpressionArray:
-    """The closed columns (6, n) of a robot with a standard table, right or in a wrong way; made once."""
+    """The closed columns (6, n) of a robot with a standard table, right or in a wrong way; made once.
+
+    Raises ExpressionError for an entry that is too long to be read, as in wrong columns of six joints.
+    """
     return _closed(robot, way)
 
 

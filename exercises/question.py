@@ -85,8 +85,8 @@ class _Placed:
         return tuple(name for name in self.earlier if self.bound_solve.takes(name))
 
     def part(self) -> Part:
-        question = self.question
-        text = question.text
+        question, text = self.question, self.question.text
+        _ = self.bound_solve  # refused now, not when the first student is marked
         return Part(
             self.variable(self.own),
             text.question,

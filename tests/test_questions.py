@@ -1,0 +1,208 @@
+"""Ready-made questions on every robot of the catalogue: proved as any exercise, and told apart by their rows."""
+
+import numpy as np
+import pytest
+from answers import raws
+from kinegrade.course.validate import validate_file
+from kinegrade.exercises import questions as ask
+from kinegrade.exercises.answers import TableOf
+from kinegrade.exercises.catalogue import load
+from kinegrade.exercises.draws import parallel_groups, posture
+from kinegrade.exercises.exercise import ExerciseError, references
+from kinegrade.exercises.part import exercise
+from kinegrade.grader.mark import mark
+from kinegrade.solutions.jacobian import jacobian
+from kinegrade.solutions.robots import ROBOTS
+
+FILE = '''"""Ready-made questions for one robot."""
+
+import numpy as np
+from kinegrade.exercises import questions as ask
+from kinegrade.exercises.draws import posture, rates
+from kinegrade.exercises.part import exercise
+from kinegrade.exercises.twists import rate_units, twist_units, wrench_units
+from kinegrade.solutions.robots import ROBOTS
+
+ROBOT = ROBOTS["@ROBOT@"]
+TASK = ROBOT.task_rows
+
+
+def load_(rng):
+    return [round(float(x), 1) for x in rng.uniform(2, 9, 6) * rng.choice([-1, 1], 6)]
+
+
+def draw(rng):
+    more = {"qdot": rates(rng, ROBOT.n), "wrench": load_(rng), "tool_wrench": load_(rng), "v_t": rates(rng, len(TASK))}
+    return posture(ROBOT, rng) | more
+
+
+EXERCISE = exercise(
+    "ready",
+    title="Ready-made",
+    source="tests",
+    robot=ROBOT,
+    draw=draw,
+    rows="@ROWS@",
+    units={
+        "qdot": rate_units(ROBOT.kinds),
+        "wrench": wrench_units(@ORDER@),
+        "tool_wrench": wrench_units(@ORDER@),
+        "v_t": twist_units([row for row in @ORDER@ if row in TASK]),
+    },
+    parts=[@PARTS@],
+)
+'''
+FIRST = {"linear, angular": "(0, 1, 2, 3, 4, 5)", "angular, linear": "(3, 4, 5, 0, 1, 2)"}
+
+
+def parts_for(robot):
+    last = f"ask.jacobian(point={robot.n}, rows='linear', name='J_last')" if robot.convention != "frames" else ""
+    table = "ask.dh_table()" if robot.convention != "frames" else ""
+    block = "ask.determinant(), ask.singular()" if robot.factors else ""
+    linear = all(row < 3 for row in robot.task_rows)
+    listed = (
+        table,
+        "ask.transforms()",
+        "ask.jacobian()",
+        "ask.jacobian(frame='tool', name='J_tool')",
+        "ask.jacobian(point='origin', name='J_origin')",
+        last,
+        "ask.twist()",
+        "ask.torques()",
+        "ask.torques(axes='tool', wrench='tool_wrench', name='tau_tool')",
+        "ask.jacobian(rows='task', name='J_task')",
+        "ask.manipulability(J='J_task')",
+        "ask.ellipsoid(rows='task', J='J_task')" if linear else "",
+        "ask.rates(rows='task', J='J_task', xi='v_t')",
+        block,
+    )
+    return ", ".join(filter(None, listed))
+
+
+def written(folder, name, rows="linear, angular"):
+    path = folder / "ready.py"
+    text = FILE.replace("@ROBOT@", name).replace("@ROWS@", rows).replace("@ORDER@", FIRST[rows])
+    path.write_text(text.replace("@PARTS@", parts_for(ROBOTS[name])), encoding="utf-8")
+    return path
+
+
+@pytest.mark.parametrize("name", ROBOTS)
+def test_ready_made_questions_are_valid(tmp_path, name):
+    assert validate_file(written(tmp_path, name), 3).failures == ()
+
+
+@pytest.mark.parametrize("name", ["rrt_offset", "puma560", "planar_3r"])
+def test_with_the_angular_rows_on_top_they_are_valid_too(tmp_path, name):
+    path = written(tmp_path, name, "angular, linear")
+    assert validate_file(path, 3).failures == ()
+    made = load(path)
+    v = made.draw(np.random.default_rng(0))
+    J = jacobian(ROBOTS[name].chain({k: v[k] for k in ROBOTS[name].parameters}), v["q"])
+    got = references(made, v)
+    np.testing.assert_allclose(got["ready_J"], J[[3, 4, 5, 0, 1, 2]], atol=1e-12)
+    wrench = np.array(v["wrench"])
+    np.testing.assert_allclose(got["ready_tau"], J[:3].T @ wrench[3:] + J[3:].T @ wrench[:3], atol=1e-12)
+    whole = next(part for part in made.parts if part.variable == "ready_J")
+    assert "angular rows above linear rows" in whole.prompt
+
+
+def made_of(name, *parts, **more):
+    robot = ROBOTS[name]
+    return exercise(
+        "made", title="T", source="S", robot=robot, draw=lambda rng: posture(robot, rng), parts=parts, **more
+    )
+
+
+def test_a_jacobian_follows_from_own_transforms_and_torques_from_an_own_jacobian():
+    wrench = {"units": {"wrench": ["N"] * 3 + ["N m"] * 3}}
+    robot = ROBOTS["rrt_offset"]
+    made = exercise(
+        "made",
+        title="T",
+        source="S",
+        robot=robot,
+        draw=lambda rng: posture(robot, rng) | {"wrench": [3.0, -4.0, 5.0, 1.0, 2.0, -1.0]},
+        parts=[ask.dh_table(), ask.transforms(), ask.jacobian(), ask.torques()],
+        **wrench,
+    )
+    assert [part.needs for part in made.parts] == [(), ("made_dh",), ("made_T",), ("made_J",)]
+    v = made.draw(np.random.default_rng(1))
+    right = references(made, v)
+    own = dict(right)
+    own["made_T"] = right["made_T"].copy()
+    own["made_T"][0, 0, 3] += 0.2
+    for part in made.parts[2:]:
+        own[part.variable] = part.solve(v, {name: own[name] for name in part.needs})
+    assert np.abs(own["made_J"] - right["made_J"]).max() > 0.1
+    verdicts = mark(made, v, raws(own))
+    assert [verdict.status for verdict in verdicts] == ["correct", "partly", "correct", "correct"]
+
+
+def test_the_point_of_a_link_is_not_moved_by_joints_behind_it():
+    made = made_of("puma560", ask.jacobian(point=3, rows="linear"))
+    v = made.draw(np.random.default_rng(2))
+    J = references(made, v)["made_J"]
+    assert not J[:, 3:].any()
+    arm = ROBOTS["puma560"]
+    lengths = {name: v[name] for name in arm.parameters}
+    q, h = np.array(v["q"]), 1e-6
+    for i in range(3):
+        step = h * np.eye(6)[i]
+        after, before = (arm.frames(lengths, q + side * step)[3, :3, 3] for side in (1, -1))
+        np.testing.assert_allclose(J[:, i], (after - before) / (2 * h), atol=1e-8)
+
+
+def test_a_sheet_that_asks_for_the_table_does_not_print_it():
+    made = made_of("rrt_offset", ask.dh_table(), ask.transforms())
+    assert isinstance(made.parts[0].answer, TableOf)
+    v = made.draw(np.random.default_rng(0))
+    assert r"\alpha_i" not in made.statement(v)
+    home, now = made.drawings(v)
+    assert home.q[:2] == (0.0, 0.0)
+    assert {line.name for line in home.dimensions} == {"d1", "a1", "d2", "q3"}
+    assert now.q == tuple(v["q"])
+
+
+@pytest.mark.parametrize(
+    ("question", "match"),
+    [
+        (ask.jacobian(rows="all of them"), "rows takes 'all', 'linear', 'angular', 'task'"),
+        (ask.jacobian(rows=(0, 7)), "or some of 0 to 5"),
+        (ask.dh_table(), "dh_table takes a robot with a Denavit-Hartenberg table"),
+        (ask.twist(J="J0"), "takes 'qdot', which is no name on the sheet"),
+    ],
+)
+def test_what_does_not_fit_the_robot_is_refused_when_the_file_loads(question, match):
+    with pytest.raises(ExerciseError, match=match):
+        made_of("three_axis", ask.jacobian(name="J0"), question)
+
+
+def test_formulas_are_asked_of_drawn_lengths_only():
+    robot = ROBOTS["puma560"]
+    with pytest.raises(ExerciseError, match=r"determinant takes an arm whose lengths are drawn.*a2, a3, d4"):
+        exercise(
+            "made",
+            title="T",
+            source="S",
+            robot=robot,
+            draw=lambda rng: posture(robot, rng, lengths=()),
+            parts=[ask.determinant()],
+        )
+
+
+@pytest.mark.parametrize("name", ROBOTS)
+def test_postures_are_regular_within_limits_and_clear_of_right_angles(name):
+    robot = ROBOTS[name]
+    for seed in range(5):
+        v = posture(robot, np.random.default_rng(seed))
+        assert not robot.outside(v["q"])
+        for group in [*parallel_groups(robot), *((i,) for i, kind in enumerate(robot.kinds) if kind == "R")]:
+            total = np.degrees(sum(v["q"][i] for i in group)) % 90
+            assert 9.5 < total < 80.5
+
+
+def test_parallel_axes_are_found():
+    assert parallel_groups(ROBOTS["ur5"]) == [(1, 2), (1, 2, 3), (2, 3)]
+    assert parallel_groups(ROBOTS["planar_2r"]) == [(0, 1)]
+    assert parallel_groups(ROBOTS["rrt_spherical"]) == []
+    assert (0, 1) in parallel_groups(ROBOTS["scara"])
