@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..solutions.expression_array import POINTS, ExpressionArray, sample
+from .exercise import Outcome
 
 Array = NDArray[np.float64]
 TURN = 2 * np.pi
@@ -104,3 +105,9 @@ def list_share(
     right = right | np.array([holds(row) for row in own])
     share = max(0, int(hit.sum()) - int((~right).sum())) / len(hit)
     return np.broadcast_to(right[:, None], own.shape), share
+
+
+def listed_right(values: ArrayLike, wanted: ArrayLike, tolerance: float) -> Outcome:
+    """The outcome of a list of configurations where all wanted ones are asked: each wrong one costs one right one."""
+    right, share = list_share(values, wanted, tolerance)
+    return Outcome(right, share=share)

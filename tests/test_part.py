@@ -49,11 +49,17 @@ def made(*parts, **more):
     return exercise("made", parts=parts, **(plain | more))
 
 
+def explained(exercise):
+    explain = exercise.parts[0].explain
+    assert explain is not None
+    return [*explain(V, references(exercise, V))]
+
+
 def test_a_docstring_is_question_hints_and_solution():
     first = made(J).parts[0]
     assert first.prompt == r"The Jacobian $\mathbf J$"
     assert first.hints == ("A hint of two lines.", "Another.")
-    (step,) = first.explain(V, references(made(J), V))
+    (step,) = explained(made(J))
     assert (step.text, step.symbol) == ("It is RR:", r"\mathbf J")
     np.testing.assert_allclose(step.numbers, references(made(J), V)["made_J"])
 
@@ -217,11 +223,11 @@ def test_conditions_and_formulas_are_shown_as_formulas():
         """
         return "l1*sin(q1) + l2*sin(q1 + q2)"
 
-    (step,) = made(height).parts[0].explain(V, references(made(height), V))
+    (step,) = explained(made(height))
     assert str(step.formula) == "l1*sin(q1) + l2*sin(q1 + q2)"
 
 
 def test_an_array_has_no_place_in_a_text():
     bad = part(2, Numbers((2, 2), "m/rad"), shows={"how": lambda J: J})(J.solve)
     with pytest.raises(ExerciseError, match="<how> stands in a text, which takes text or a number, got ndarray"):
-        made(bad).parts[0].explain(V, references(made(bad), V))
+        explained(made(bad))

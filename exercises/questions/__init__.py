@@ -5,20 +5,24 @@ the sheet: a Jacobian is built from the student's transforms where these are ask
 `name` and `points` may be given; so may the names of what it takes, such as `ask.twist(J="J_tool", qdot="rates")`.
 """
 
-from .block import determinant, ellipsoid, manipulability, singular
-from .frames import dh_table, transforms
-from .statics import torques
+from .block import determinant, ellipsoid, ellipsoid_axis, manipulability, manipulability_formula, singular
+from .frames import dh_table, pose, transforms
+from .statics import torques, wrench_in_base_axes
 from .velocities import jacobian, rates, twist
 
 __all__ = [
     "determinant",
     "dh_table",
     "ellipsoid",
+    "ellipsoid_axis",
     "jacobian",
     "manipulability",
+    "manipulability_formula",
+    "pose",
     "rates",
     "singular",
     "torques",
     "transforms",
     "twist",
+    "wrench_in_base_axes",
 ]

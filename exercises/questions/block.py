@@ -14,7 +14,7 @@ from ..answers import Conditions, Formulas, Numbers
 from ..arm import Arm, Array
 from ..exercise import ExerciseError, Outcome
 from ..part import Ready, Setting
-from ..properties import proportional
+from ..properties import parallel, proportional
 from ..question import Question
 from ..twists import VELOCITIES, Chosen, jacobian_units, listed, rows_on_sheet
 from .frames import filled
@@ -50,6 +50,22 @@ rates with $\dot q_1^2 + \cdots + \dot q_{@n@}^2 = 1$ give along its axes, the l
 The singular values of the block, $\mathbf J = \mathbf U\,\mathrm{diag}(\sigma_1, \ldots)\,\mathbf V^T$:
 $$\boldsymbol\sigma = <@name@>$$
 """
+FORMULA = r"""The manipulability $w = \sqrt{\det(\mathbf J \mathbf J^T)}$ of the rows @rows@ of $\mathbf J$ in base axes at the tool point, as
+one formula in the names of your lengths and q1, q2 ..., with `abs(...)` or `sqrt(...)` where its sign could change
+
+- The block is square: what is the determinant of a product of square matrices?
+
+For a square block $\det(\mathbf J \mathbf J^T) = (\det \mathbf J)^2$, so $w$ is the size of the determinant:
+$$w = <@name@>$$
+"""
+LONGEST = r"""A unit vector $\mathbf u$ along the longest half axis of the velocity ellipsoid of the rows @rows@ of $\mathbf J$, with either sign
+
+- It is the direction in which the tool is fastest.
+- It is an eigenvector of $\mathbf J \mathbf J^T$.
+
+The first left singular vector of the block:
+$$\mathbf u = <@name@>$$
+"""
 MANIPULABILITY = r"""The manipulability $w = \sqrt{\det(\mathbf J \mathbf J^T)}$ of the rows @rows@ of $\mathbf J$
 
 - For a square block it is the size of the determinant.
@@ -61,9 +77,13 @@ $$w = <@name@>$$
 CONSTANT = (
     "It is the determinant times a constant: it is zero in the right postures, but the determinant itself is asked."
 )
+SLOWEST = "This is the direction in which the tool is slowest, and strongest."
 SQUARES = "These are the squares: eigenvalues of J J^T. The half axes are their roots."
 INVERSES = "These are the half axes of the force ellipsoid, the inverses; those of the velocity ellipsoid are asked."
 SQUARE = "This is det(J J^T), the square; the root is missing."
+
+
+DIRECTION = 0.01  # [rad]
 
 
 @lru_cache(maxsize=128)
@@ -103,6 +123,23 @@ def _check_names(setting: Setting, what: str) -> None:
 
 def _determinant(arm: Arm) -> ExpressionArray:
     return product(arm.robot)
+
+
+def manipulability_formula(*, name: str = "w", points: float = 2) -> Ready:
+    """The manipulability of the robot's task rows as a formula: the size of their determinant."""
+
+    def ready(setting: Setting) -> Question:
+        robot = setting.robot
+        _check_names(setting, "manipulability_formula")
+        rows = rows_on_sheet("task", setting.rows, robot.task_rows)
+        text = filled(FORMULA, rows=listed(VELOCITIES, rows), name=name)
+        return Question(_size, name, points, Formulas((), robot.names), docstring=text)
+
+    return ready
+
+
+def _size(arm: Arm) -> str:
+    return f"abs({product(arm.robot).text()})"
 
 
 def named_multiple(arm: Arm, value: ExpressionArray) -> Outcome | None:
@@ -175,6 +212,43 @@ def ellipsoid(
 
 def _half_axes(J: Array) -> Array:
     return velocity_ellipsoid(J).lengths
+
+
+def ellipsoid_axis(
+    *, rows: Chosen = "linear", name: str = "axis", points: float = 2, decimals: int = 4, J: str = "J"
+) -> Ready:
+    """A direction (m,) of the longest half axis of the velocity ellipsoid, at any length and with either sign.
+
+    Draw postures whose two longest half axes differ clearly: on a circle every direction is one.
+    """
+
+    def ready(setting: Setting) -> Question:
+        asked = rows_on_sheet(rows, setting.rows, setting.robot.task_rows)
+        text = filled(LONGEST, rows=listed(VELOCITIES, asked), name=name)
+        return Question(
+            _longest,
+            name,
+            points,
+            Numbers((len(asked),), "1", decimals),
+            check=_judged_axis,
+            options={"credit": "all"},
+            docstring=text,
+            renamed={"J": J},
+        )
+
+    return ready
+
+
+def _longest(J: Array) -> Array:
+    return velocity_ellipsoid(J).axes[:, 0]
+
+
+def _judged_axis(J: Array, value: Array) -> Outcome:
+    axes = velocity_ellipsoid(J).axes
+    if parallel(value, axes[:, 0], DIRECTION):
+        return Outcome(right=True)
+    slowest = parallel(value, axes[:, -1], DIRECTION)
+    return Outcome(right=False, finding=SLOWEST if slowest else "")
 
 
 def manipulability(

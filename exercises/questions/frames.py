@@ -39,6 +39,17 @@ $$\mathbf T = <closed>$$
 With your numbers:
 $$\mathbf T_0^1, \ldots = <@name@>$$
 """
+TOOL = r"""The pose $\mathbf T$ of the tool frame in the base frame at your $\mathbf q$
+
+- Multiply the transforms from the base to the tool, from left to right.
+
+Each row gives @row@; their product is the pose. In closed form:
+$$\mathbf T = <closed>$$
+
+With your numbers:
+$$\mathbf T = <@name@>$$
+"""
+INVERSE = "This is the base frame seen from the tool, the inverse of the asked pose."
 NEXT = "These lead from each frame to the next; all of them shall start at the base frame."
 
 
@@ -69,6 +80,28 @@ def dh_table(*, name: str = "dh", points: float = 3, decimals: int = 3) -> Ready
 
 def _table_of(arm: Arm) -> Table:
     return arm.robot.table
+
+
+def pose(*, name: str = "T", points: float = 2, decimals: int = 4) -> Ready:
+    """The pose (4, 4) of the tool frame in the base frame."""
+
+    def ready(setting: Setting) -> Question:
+        text = filled(TOOL, row=ROW[setting.robot.convention], name=name)
+        return Question(
+            _tool,
+            name,
+            points,
+            Numbers((4, 4), POSE, decimals),
+            mistakes=((INVERSE, lambda arm: np.linalg.inv(arm.T)),),
+            shows={"closed": lambda arm: arm.closed.T},
+            docstring=text,
+        )
+
+    return ready
+
+
+def _tool(arm: Arm) -> Array:
+    return arm.T
 
 
 def transforms(*, name: str = "T", points: float = 3, decimals: int = 3) -> Ready:

@@ -9,7 +9,7 @@ from ..answers import Numbers
 from ..arm import Arm, Array
 from ..part import Ready, Setting
 from ..question import Question
-from ..twists import LOADS, Chosen, listed, rows_on_sheet, torque_units
+from ..twists import LOADS, Chosen, listed, rows_on_sheet, torque_units, wrench_units
 from .frames import filled
 
 TORQUES = r"""The joint torques $\boldsymbol\tau$@slides@ with which the drives hold the arm at your $\mathbf q$ while the tool applies the
@@ -22,6 +22,15 @@ Because that holds for all rates, $\boldsymbol\tau = \mathbf J^T @symbol@$@turne
 $$\boldsymbol\tau = <@name@>$$
 """
 TURNED = r", with the force turned into base axes first by the tool axes $\mathbf R$, the columns of the tool frame"
+WRENCH = r"""The @load@ $\mathbf F =$ @wrench@ in base axes at your $\mathbf q$; given is $@symbol@$, in the axes of the tool frame
+
+- The columns of which matrix are the tool axes in base axes?
+- A moment is turned like a force.
+
+Both blocks are multiplied by the tool axes $\mathbf R$, the columns of the tool frame, which lead from tool axes to base axes:
+$$\mathbf F = <@name@>$$
+"""
+STILL_TOOL = "This is still in the axes of the tool frame; base axes are asked."
 NOT_TURNED = "The force seems to be used as if it were given in base axes; it is given in the axes of the tool frame."
 TURNED_AWAY = "The force seems to be turned the wrong way round: the tool axes R lead from tool axes to base axes."
 UNTRANSPOSED = "J F is no torque: power is the same in both spaces, so the transposed J stands here."
@@ -43,13 +52,17 @@ def torques(
 ) -> Ready:
     """Joint torques (n,) for the drawn `wrench`, printed as `symbol`, in the rows of the Jacobian `J` before it (tool point, base axes).
 
-    With `axes="tool"` the wrench is given in tool axes; then `rows` are whole blocks.
+    With `axes="tool"` the wrench is given in tool axes; its other components are zero.
     """
 
     def ready(setting: Setting) -> Question:
         robot = setting.robot
         asked = rows_on_sheet(rows, setting.rows, robot.task_rows)
         in_tool_axes = axes == "tool"
+
+        def in_base_axes(arm: Arm, wrench: Array) -> Array:
+            return turned(arm.R, wrench, asked) if in_tool_axes else wrench
+
         text = filled(
             TORQUES,
             slides=" (and forces along slides)" if "P" in robot.kinds else "",
@@ -60,20 +73,20 @@ def torques(
             turned=TURNED if in_tool_axes else "",
             name=name,
         )
-        wrong: list[tuple[str, Any]] = [(SIGN, lambda arm, J, wrench: -_torques(J, base(arm, wrench, axes)))]
+        wrong: list[tuple[str, Any]] = [(SIGN, lambda arm, J, wrench: -_torques(J, in_base_axes(arm, wrench)))]
         if in_tool_axes:
             wrong += [
                 (NOT_TURNED, lambda J, wrench: J.T @ wrench),
-                (TURNED_AWAY, lambda arm, J, wrench: J.T @ turned(arm.R.T, wrench)),
+                (TURNED_AWAY, lambda arm, J, wrench: J.T @ turned(arm.R.T, wrench, asked)),
             ]
         if len(asked) == robot.n:
             wrong += [
-                (UNTRANSPOSED, lambda arm, J, wrench: J @ base(arm, wrench, axes)),
-                (INVERSE, lambda arm, J, wrench: np.linalg.pinv(J) @ base(arm, wrench, axes)),
+                (UNTRANSPOSED, lambda arm, J, wrench: J @ in_base_axes(arm, wrench)),
+                (INVERSE, lambda arm, J, wrench: np.linalg.pinv(J) @ in_base_axes(arm, wrench)),
             ]
 
         def tau(arm: Arm, J: Array, wrench: Array) -> Array:
-            return _torques(J, base(arm, wrench, axes))
+            return _torques(J, in_base_axes(arm, wrench))
 
         shown = _showing(wrong, tau, setting.arm, asked)
         answer = Numbers((robot.n,), torque_units(robot.kinds), decimals)
@@ -104,11 +117,36 @@ def _torques(J: Array, F: Array) -> Array:
     return J.T @ F
 
 
-def base(arm: Arm, wrench: Array, axes: Literal["base", "tool"]) -> Array:
-    """A wrench of whole blocks (3,) or (6,), given in these axes, in base axes."""
-    return turned(arm.R, wrench) if axes == "tool" else wrench
+def turned(R: Array, wrench: Array, rows: list[int]) -> Array:
+    """Both blocks of a wrench times R; `rows` are those that it has, all others are zero."""
+    whole = np.zeros(6)
+    whole[rows] = wrench
+    return np.concatenate([R @ whole[:3], R @ whole[3:]])[rows]
 
 
-def turned(R: Array, wrench: Array) -> Array:
-    """Both blocks of a wrench (3,) or (6,) times R."""
-    return (R @ wrench.reshape(-1, 3).T).T.ravel()
+def wrench_in_base_axes(
+    *,
+    rows: Chosen = "all",
+    name: str = "F",
+    points: float = 2,
+    decimals: int = 3,
+    wrench: str = "F_tool",
+    symbol: str = r"\mathbf F^{tool}",
+) -> Ready:
+    """A drawn `wrench` that is given in tool axes, in base axes; its components in other rows are zero."""
+
+    def ready(setting: Setting) -> Question:
+        asked = rows_on_sheet(rows, setting.rows, setting.robot.task_rows)
+        text = filled(WRENCH, load=_load(asked), wrench=listed(LOADS, asked), symbol=symbol, name=name)
+
+        def F(arm: Arm, wrench: Array) -> Array:
+            return turned(arm.R, wrench, asked)
+
+        mistakes = (
+            (STILL_TOOL, lambda wrench: wrench),
+            (TURNED_AWAY, lambda arm, wrench: turned(arm.R.T, wrench, asked)),
+        )
+        answer = Numbers((len(asked),), wrench_units(asked), decimals)
+        return Question(F, name, points, answer, mistakes, docstring=text, renamed={"wrench": wrench})
+
+    return ready
