@@ -81,5 +81,5 @@ def test_the_exercise_of_the_docs_gives_zeros_nothing(tmp_path):
     path.write_text(blocks(ROOT / "docs" / "add_an_exercise.md", "python")[0], encoding="utf-8")
     exercise = load(path)
     v = exercise.draw(np.random.default_rng(0))
-    zeros = {"tip_speed_J": np.zeros((2, 2)), "tip_speed_v": np.zeros(2)}
+    zeros = {"tip_speed_J": np.zeros((2, 2)), "tip_speed_xi": np.zeros(2)}
     assert sum(verdict.points or 0 for verdict in mark(exercise, v, raws(zeros))) == 0

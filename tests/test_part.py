@@ -94,6 +94,7 @@ def test_a_mistake_may_take_the_part_itself_and_a_check_the_value():
     last = made(J, rate).parts[-1]
     given = {"made_J": np.eye(2)}
     np.testing.assert_allclose(last.mistakes[0].solve(V, given), [-1.0, 2.0])
+    assert last.check is not None
     assert last.check(V, given, np.zeros(2)) == Outcome()
     assert seen[0][0] is V
     np.testing.assert_allclose(seen[0][1], V["qdot"])

@@ -58,6 +58,13 @@ def test_imports_point_one_way(path):
     assert [name for name in ours if name[0] != "kinegrade" or len(name) < 2 or name[1] not in allowed] == []
 
 
+@pytest.mark.parametrize("path", [path for path in MODULES if path.parent.name == "catalogue"], ids=str)
+def test_no_exercise_imports_another(path):
+    """What two exercises need is a module of exercises/, so that each file can be read, changed and dropped alone."""
+    ours = [name for name in imported(path) if name.startswith("kinegrade.exercises.catalogue")]
+    assert ours == []
+
+
 def test_the_runner_imports_nothing_of_ours_and_nothing_that_is_not_everywhere():
     names = {name.split(".")[0] for name in imported(Path("grader/runner.py"))}
     assert names - set(sys.stdlib_module_names) <= {"numpy", "IPython"}

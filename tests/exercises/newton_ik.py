@@ -1,11 +1,9 @@
 """One Newton step, a damped pseudoinverse and a whole solver (after CTU PKR HW07)."""
 
 import numpy as np
-from kinegrade.exercises import questions as ask
 from kinegrade.exercises.answers import Function, Numbers
 from kinegrade.exercises.draws import posture
-from kinegrade.exercises.exercise import Outcome
-from kinegrade.exercises.part import exercise, part
+from kinegrade.exercises.part import part
 from kinegrade.solutions.robots import ROBOTS
 
 ARM = ROBOTS["planar_3r"]
