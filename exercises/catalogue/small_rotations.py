@@ -4,26 +4,20 @@ The senses of the axes are drawn. The rotations are printed to six decimals; the
 second order, which S0's eq. 4.11 leaves out, is larger than the tolerance.
 """
 
-from functools import lru_cache
-from itertools import product
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from ...solutions.robot import Robot
 from ..answers import LETTERS
-from ..drawing import Drawing, Triad
-from ..draws import angles, length, until
-from ..exercise import Choice, Exercise, Given, Mistake, Numbers, Outcome, Part, Step, Variant
-from ..printed_table import printed_table, table_rows
+from ..arm import Arm, Array, arm_of
+from ..columns import LATE, late, right
+from ..draws import length, until
+from ..exercise import Choice, Numbers, Outcome, Variant
+from ..part import exercise, part
 from ..properties import turned
+from ..rrpr import LENGTHS, SENSES, UNITS, described, drawn, posture, robot
 
-Array = NDArray[np.float64]
-KINDS = "RRPR"
-TURNS = np.array([kind == "R" for kind in KINDS])
-SENSES = tuple(product(("pi/2", "-pi/2"), repeat=4))  # of alpha1, alpha2, theta3, alpha3
-LENGTHS = ("d1", "a2", "a4")
 DIVISORS = (2, 4, 10)
 FACTORS = (2, 4, 8, 10, 16, 64, 100, 1000)  # the divisors, their squares and cubes
 TOLERANCE = 5e-4  # rad; below it, first order and the rotation vector would be the same
@@ -35,61 +29,15 @@ def draw(rng: np.random.Generator) -> dict[str, Any]:
     form = int(rng.integers(len(SENSES)))
     v: dict[str, Any] = {"form": form, "k": DIVISORS[int(rng.integers(len(DIVISORS)))]}
     v |= {name: length(rng, 0.2, 0.6) for name in LENGTHS}
-    return v | until(lambda: _motion(rng, form), lambda motion: _is_telling({**v, **motion}))
+    return until(lambda: v | motion(rng, form), is_telling)
 
 
-def _motion(rng: np.random.Generator, form: int) -> dict[str, Any]:
+def motion(rng: np.random.Generator, form: int) -> dict[str, Any]:
     """Posture, displacement, and the rotations before and after it, to six decimals."""
-    q1, q2, q4 = angles(rng, 3)
-    q = [q1, q2, length(rng, 0.3, 0.8), q4]
+    q = posture(rng)
     dq = [round(float(x) / 1000, 3) for x in rng.integers(35, 71, 4) * rng.choice([-1, 1], 4)]
     first, second = (np.round(rotation_at(form, at), 6) + 0.0 for at in (q, np.add(q, dq)))
     return {"q": q, "dq": dq, "R1": first.tolist(), "R2": second.tolist()}
-
-
-def _is_telling(v: Variant) -> bool:
-    """Whether all components matter, what first order misses is nearly all second order, and mistakes show."""
-    dw, first_order, k = between(v), to_first_order(v), v["k"]
-    after = rotation_at(v["form"], np.add(v["q"], np.array(v["dq"]) / k))
-    nearer = rotation_vector(after @ rotation_at(v["form"], v["q"]).T) - first_order / k
-    ratio = np.linalg.norm(dw - first_order) / np.linalg.norm(nearer)
-    others = (
-        first_order,
-        in_tool_axes(v),
-        -in_tool_axes(v),
-        one_entry_each(v),
-        angles_of_product(v),
-        differences_of_angles(v),
-    )
-    return bool(
-        min(np.abs(dw).min(), np.abs(first_order).min()) >= 0.008
-        and np.linalg.norm(dw) <= 0.14
-        and abs(ratio / k**2 - 1) <= 0.12
-        and min(np.abs(other - dw).max() for other in others) >= APART
-    )
-
-
-@lru_cache
-def robot(form: int) -> Robot:
-    """The arm of one form, with every length 1 m by default."""
-    alpha1, alpha2, theta3, alpha3 = SENSES[form]
-    return Robot(
-        name="small_rotations",
-        title="RRPR robot",
-        parameters=dict.fromkeys(LENGTHS, 1.0),
-        rows=(
-            ("q1", "d1", "0", alpha1),
-            ("q2", "0", "a2", alpha2),
-            (theta3, "q3", "0", alpha3),
-            ("q4", "0", "a4", "0"),
-        ),
-        limits=((-np.pi, np.pi), (-np.pi, np.pi), (0.0, 1.0), (-np.pi, np.pi)),
-        source="drawn for each student",
-    )
-
-
-def lengths(v: Variant) -> dict[str, float]:
-    return {name: v[name] for name in LENGTHS}
 
 
 def rotation_at(form: int, q: ArrayLike) -> Array:
@@ -97,155 +45,155 @@ def rotation_at(form: int, q: ArrayLike) -> Array:
     return robot(form).frames(None, q)[-1, :3, :3]
 
 
+def is_telling(v: Variant) -> bool:
+    """Whether all components matter, what first order misses is nearly all second order, and mistakes show."""
+    arm, R1, R2, k = arm_of(robot(v["form"]), v), np.array(v["R1"]), np.array(v["R2"]), v["k"]
+    exact, first_order = rotation_vector(R2 @ R1.T), B(arm) @ v["dq"]
+    after = rotation_at(v["form"], arm.q + np.array(v["dq"]) / k)
+    ratio = np.linalg.norm(exact - first_order) / np.linalg.norm(rotation_vector(after @ arm.R.T) - first_order / k)
+    others = [first_order, *(wrong(R1, R2) for _, wrong in MISREAD)]
+    matters = np.abs([exact, first_order]).min() >= 0.008 and np.linalg.norm(exact) <= 0.14
+    shows = min(np.abs(other - exact).max() for other in others) >= APART
+    return bool(matters and shows and abs(ratio / k**2 - 1) <= 0.12)
+
+
+def opposite(R: Array) -> Array:
+    """Differences of opposite entries: twice the axis of a rotation times the sine of its angle."""
+    return np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]])
+
+
 def rotation_vector(R: Array) -> Array:
     """Axis times angle of a rotation of less than a quarter turn, also where R is rounded."""
-    w = 0.5 * np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]])
+    w = 0.5 * opposite(R)
     sine = float(np.linalg.norm(w))
     return w * (np.arcsin(min(sine, 1.0)) / sine)
 
 
-def between(v: Variant) -> Array:
-    R1, R2 = np.array(v["R1"]), np.array(v["R2"])
+def roll_pitch_yaw(R: Array) -> Array:
+    """Angles about fixed x, y, z, also where R is rounded."""
+    pitch = np.arctan2(-R[2, 0], np.hypot(R[2, 1], R[2, 2]))
+    return np.array([np.arctan2(R[2, 1], R[2, 2]), pitch, np.arctan2(R[1, 0], R[0, 0])])
+
+
+TOOL_AXES = "This is the rotation vector in axes of the tool frame; on which side of R1 does R(dw) stand?"
+BACK = "This is the rotation vector of R2^T R1, the way back and in axes of the tool frame; which product is R(dw)?"
+TWICE = "It is twice too long: each difference of opposite entries counts half."
+DIFFERENCES = "These are differences of roll, pitch and yaw angles; in space no three angles have dw as their changes."
+ANGLES = "These are roll, pitch and yaw of R2 R1^T: that is the rotation vector to first order only."
+ENTRIES = "Each component seems to be read off one entry of R2 R1^T; the opposite entry counts as well."
+FIRST_ORDER = "This is B dq, the rotation to first order; dw between the printed rotations is asked."
+MISREAD = (
+    (TOOL_AXES, lambda R1, R2: rotation_vector(R1.T @ R2)),
+    (BACK, lambda R1, R2: rotation_vector(R2.T @ R1)),
+    (TWICE, lambda R1, R2: opposite(R2 @ R1.T)),
+    (TWICE, lambda R1, R2: 2 * rotation_vector(R2 @ R1.T)),
+    (DIFFERENCES, lambda R1, R2: turned(roll_pitch_yaw(R2) - roll_pitch_yaw(R1))),
+    (ANGLES, lambda R1, R2: roll_pitch_yaw(R2 @ R1.T)),
+    (ENTRIES, lambda R1, R2: (R2 @ R1.T)[[2, 0, 1], [1, 2, 0]]),
+)
+
+
+def the_way_back(dw: Array, value: Array) -> Outcome | None:
+    """Says that an answer turns from frame 2 to frame 1; right and wrong stay with the tolerance."""
+    said = "This is the rotation vector of R1 R2^T, which turns from frame 2 back to frame 1."
+    return Outcome(reading=said) if np.abs(value + dw).max() <= TOLERANCE else None
+
+
+@part(
+    3,
+    Numbers((3,), "rad"),
+    credit="all",
+    tolerance=TOLERANCE,
+    check=the_way_back,
+    shows={"R": lambda R1, R2: R2 @ R1.T},
+    mistakes=[*MISREAD, (FIRST_ORDER, lambda arm, dq: B(arm) @ dq)],
+)
+def dw(R1: Array, R2: Array) -> Array:
+    r"""The rotation vector $d\mathbf w$ in base axes with $\mathbf R_2 = \mathbf R(d\mathbf w)\,\mathbf R_1$, from the printed rotations
+
+    - Which product of the two matrices is R(dw)?
+    - A rotation minus its transpose holds the axis times the sine of the angle, twice.
+
+    $\mathbf R_2 = \mathbf R(d\mathbf w)\,\mathbf R_1$ gives $\mathbf R(d\mathbf w) = \mathbf R_2 \mathbf R_1^T$ with $d\mathbf w$
+    in base axes; $\mathbf R_1^T \mathbf R_2$ would have it in tool axes.
+    $$\mathbf R_2 \mathbf R_1^T = <R>$$
+
+    Half the differences of opposite entries, $\frac{1}{2}(R_{32} - R_{23},\; R_{13} - R_{31},\; R_{21} - R_{12})$, are the
+    axis times the sine of the angle; dividing by the sine and multiplying with the angle changes so little here that both
+    pass:
+    $$d\mathbf w = <dw>$$
+    """
     return rotation_vector(R2 @ R1.T)
 
 
-def rotation_between(v: Variant, _: Given) -> Array:
-    return between(v)
+@part(
+    2,
+    Numbers((3, 4), "1", 3),
+    shows={"closed": lambda arm: arm.closed.J[3:, :]},
+    mistakes=(
+        ("The prismatic joint has its axis as an angular column; does a slide turn the tool?", lambda arm: arm.axes),
+        (LATE, lambda arm: late(arm.frames, arm.kinds)[3:]),
+        ("This is the block in axes of the tool frame; base axes are asked.", lambda arm, B: arm.R.T @ B),
+    ),
+)
+def B(arm: Arm) -> Array:
+    r"""The 3 × 4 block $\mathbf B$ of the angular rows of the Jacobian at your $\mathbf q$, in base axes
+
+    - Only directions matter, no lengths.
+    - What does a slide contribute to the rotation?
+
+    Column $i$ of $\mathbf B$ is $\xi_i \mathbf z_{i-1}$ in the standard convention: the axis of a revolute joint, and zero
+    for the prismatic one. In closed form:
+    $$\mathbf B = <closed>$$
+
+    With your numbers:
+    $$\mathbf B = <B>$$
+    """
+    return right(arm.frames, arm.kinds)[3:]
 
 
-def angular_rows(v: Variant, _: Given) -> Array:
-    return _axes(v) * TURNS
+EXACT = "This is dw between the printed rotations; the first order B dq is asked."
 
 
-def _axes(v: Variant, first: int = 0) -> Array:
-    """Axes z (3, 4) of four frames, from frame `first` on."""
-    return robot(v["form"]).frames(None, v["q"])[first : first + 4, :3, 2].T
+@part(
+    1,
+    Numbers((3,), "rad"),
+    credit="all",
+    tolerance=TOLERANCE,
+    mistakes=[(EXACT, lambda R1, R2: rotation_vector(R2 @ R1.T))],
+)
+def Bdq(B: Array, dq: Array) -> Array:
+    r"""The rotation $\mathbf B\,d\mathbf q$ in base axes, which is $d\mathbf w$ to first order
+
+    - One matrix times one vector, signs included.
+
+    One matrix times one vector; the metres of the slide meet a column of zeros:
+    $$\mathbf B\,d\mathbf q = <Bdq>$$
+    """
+    return B @ dq
 
 
-def to_first_order(v: Variant) -> Array:
-    return angular_rows(v, {}) @ np.array(v["dq"])
+@part(1, Choice(tuple(map(str, FACTORS))), shows={"square": lambda k: k**2, "missed": lambda dw, Bdq: dw - Bdq})
+def factor(k: int) -> str:
+    r"""By which factor, about, does the length of $d\mathbf w - \mathbf B\,d\mathbf q$ shrink when every entry of
+    $d\mathbf q$ is divided by your $k$ and $\mathbf R_2$ is computed anew?
+
+    - Is the difference of first, second or third order in the joint displacements?
+    - Try it.
+
+    Rotations do not add. To second order $d\mathbf w = \mathbf B\,d\mathbf q + \frac{1}{2} \cdot$ the sum of
+    $dq_i\,dq_j\,\mathbf z_{i-1} \times \mathbf z_{j-1}$ over all pairs of revolute joints $i < j$. An equals sign between
+    $d\mathbf w$ and $\mathbf B\,d\mathbf q$ holds to first order only.
+
+    The difference has products of two $dq$: divided by $k = <k>$ each, it shrinks by $k^2 = <square>$. Yours is now
+    $$d\mathbf w - \mathbf B\,d\mathbf q = <missed>$$
+    """
+    return LETTERS[FACTORS.index(k**2)]
 
 
-def rotation_to_first_order(v: Variant, given: Given) -> Array:
-    B: Array = given["small_rotations_B"]
-    return B @ np.array(v["dq"])
-
-
-def factor(v: Variant, _: Given) -> str:
-    return LETTERS[FACTORS.index(v["k"] ** 2)]
-
-
-def in_tool_axes(v: Variant) -> Array:
-    R1, R2 = np.array(v["R1"]), np.array(v["R2"])
-    return rotation_vector(R1.T @ R2)
-
-
-def without_half(v: Variant) -> Array:
-    """Differences of opposite entries, which are twice the axis times the sine of the angle."""
-    R = np.array(v["R2"]) @ np.array(v["R1"]).T
-    return np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]])
-
-
-def one_entry_each(v: Variant) -> Array:
-    """Components read off below the diagonal only, or above it."""
-    R = np.array(v["R2"]) @ np.array(v["R1"]).T
-    return np.array([R[2, 1], R[0, 2], R[1, 0]])
-
-
-def roll_pitch_yaw(R: Array) -> Array:
-    """Angles about fixed x, y, z."""
-    return np.array(
-        [np.arctan2(R[2, 1], R[2, 2]), np.arctan2(-R[2, 0], np.hypot(R[2, 1], R[2, 2])), np.arctan2(R[1, 0], R[0, 0])]
-    )
-
-
-def angles_of_product(v: Variant) -> Array:
-    return roll_pitch_yaw(np.array(v["R2"]) @ np.array(v["R1"]).T)
-
-
-def differences_of_angles(v: Variant) -> Array:
-    return turned(roll_pitch_yaw(np.array(v["R2"])) - roll_pitch_yaw(np.array(v["R1"])))
-
-
-def named_reading(v: Variant, _: Given, value: Array) -> Outcome:
-    if np.abs(value + between(v)).max() <= TOLERANCE:
-        return Outcome(reading="This is the rotation vector of R1 R2^T, which turns from frame 2 back to frame 1.")
-    return Outcome()
-
-
-def explain_between(v: Variant, given: Given) -> list[Step]:
-    return [
-        Step(
-            r"$\mathbf R_2 = \mathbf R(d\mathbf w)\,\mathbf R_1$ gives $\mathbf R(d\mathbf w) = \mathbf R_2 \mathbf R_1^T$ with $d\mathbf w$ "
-            r"in base axes; $\mathbf R_1^T \mathbf R_2$ would have it in tool axes.",
-            r"\mathbf R_2 \mathbf R_1^T",
-            numbers=np.array(v["R2"]) @ np.array(v["R1"]).T,
-        ),
-        Step(
-            r"Half the differences of opposite entries, $\frac{1}{2}(R_{32} - R_{23},\; R_{13} - R_{31},\; R_{21} - R_{12})$, are the axis "
-            r"times the sine of the angle; dividing by the sine and multiplying with the angle changes so little here that both pass:",
-            r"d\mathbf w",
-            numbers=given["small_rotations_dw"],
-        ),
-    ]
-
-
-def explain_rows(v: Variant, given: Given) -> list[Step]:
-    return [
-        Step(
-            r"Column $i$ of $\mathbf B$ is $\xi_i \mathbf z_{i-1}$ in the standard convention: the axis of a revolute "
-            r"joint, and zero for the prismatic one. In closed form:",
-            r"\mathbf B",
-            robot(v["form"]).symbolic().J[3:, :],
-        ),
-        Step("With your numbers:", r"\mathbf B", numbers=given["small_rotations_B"]),
-    ]
-
-
-def explain_first_order(v: Variant, given: Given) -> list[Step]:
-    return [
-        Step(
-            r"One matrix times one vector; the metres of the slide meet a column of zeros:",
-            r"\mathbf B\,d\mathbf q",
-            numbers=given["small_rotations_Bdq"],
-        )
-    ]
-
-
-def explain_factor(v: Variant, given: Given) -> list[Step]:
-    return [
-        Step(
-            r"Rotations do not add. To second order "
-            r"$d\mathbf w = \mathbf B\,d\mathbf q + \frac{1}{2} \cdot$ the sum of $dq_i\,dq_j\,\mathbf z_{i-1} \times \mathbf z_{j-1}$ over all pairs of "
-            r"revolute joints $i < j$. An equals sign between $d\mathbf w$ and $\mathbf B\,d\mathbf q$ holds to first order only."
-        ),
-        Step(
-            rf"The difference has products of two $dq$: divided by $k = {v['k']}$ each, it shrinks by $k^2 = {v['k'] ** 2}$. Yours is now",
-            r"d\mathbf w - \mathbf B\,d\mathbf q",
-            numbers=between(v) - to_first_order(v),
-        ),
-    ]
-
-
-def drawings(v: Variant) -> tuple[Drawing, ...]:
-    arm = robot(v["form"])
-    poses = arm.frames(lengths(v), v["q"])
-    return (
-        Drawing(
-            arm.chain(lengths(v)),
-            tuple(v["q"]),
-            "Your arm at q, with frame 0 and the tool frame.",
-            "Arm with two revolute joints, a slide and another revolute joint, drawn at your q.",
-            (Triad(poses[0], "0"), Triad(poses[-1], "tool")),
-        ),
-    )
-
-
-def statement(v: Variant) -> str:
-    return rf"""An arm with revolute joints 1, 2 and 4 and a prismatic joint 3 (RRPR) has this table in the **standard** Denavit–Hartenberg
-convention, $\mathbf T_{{i-1}}^i = R_z(\theta_i)\,T_z(d_i)\,T_x(a_i)\,R_x(\alpha_i)$; its tool frame is frame 4:
-
-{printed_table(table_rows(robot(v["form"])))}
+def statement(arm: Arm) -> str:
+    """The table, and what the two rotations are."""
+    return rf"""{described(arm)}
 
 At $\mathbf q$ the rotation of the tool frame in base axes (those of frame 0) is $\mathbf R_1$, at $\mathbf q + d\mathbf q$ it is
 $\mathbf R_2$. Both are printed rounded to six decimals. The rotation vector $d\mathbf w$ between
@@ -253,125 +201,23 @@ them is the axis of the rotation in base axes times its angle, so that $\mathbf 
 the Jacobian in base axes are $\mathbf B$, and $\mathbf B\,d\mathbf q$ is nearly $d\mathbf w$."""
 
 
-TWICE = "It is twice too long: each difference of opposite entries counts half."
-
-EXERCISE = Exercise(
-    slug="small_rotations",
+ROTATION = [["1"] * 3] * 3
+EXERCISE = exercise(
+    "small_rotations",
     title="Small rotations and the angular rows of the Jacobian",
     source="S0 4.3, eq. 4.9 to 4.11",
-    draw=draw,
-    statement=statement,
-    units={
-        **dict.fromkeys(LENGTHS, "m"),
-        "q": ["rad", "rad", "m", "rad"],
-        "dq": ["rad", "rad", "m", "rad"],
-        "R1": [["1"] * 3] * 3,
-        "R2": [["1"] * 3] * 3,
-        "k": "1",
-    },
-    symbols={"dq": r"d\mathbf{q}"},
-    scale=lambda v: sum(lengths(v).values()),
+    minutes=35,
     objectives=(
         "Read the rotation vector off two rotation matrices.",
         "Compare it with the angular rows of the Jacobian times the joint displacements.",
     ),
-    minutes=35,
-    drawings=drawings,
-    parts=(
-        Part(
-            "small_rotations_dw",
-            r"The rotation vector $d\mathbf w$ in base axes with $\mathbf R_2 = \mathbf R(d\mathbf w)\,\mathbf R_1$, from the printed rotations",
-            3,
-            Numbers((3,), "rad"),
-            rotation_between,
-            check=named_reading,
-            credit="all",
-            tolerance=TOLERANCE,
-            mistakes=(
-                Mistake(
-                    "This is the rotation vector in axes of the tool frame; on which side of R1 does R(dw) stand?",
-                    lambda v, _: in_tool_axes(v),
-                ),
-                Mistake(
-                    "This is the rotation vector of R2^T R1, the way back and in axes of the tool frame; which product is R(dw)?",
-                    lambda v, _: -in_tool_axes(v),
-                ),
-                Mistake(TWICE, lambda v, _: without_half(v)),
-                Mistake(TWICE, lambda v, _: 2 * between(v)),
-                Mistake(
-                    "These are differences of roll, pitch and yaw angles; in space no three angles have dw as their changes.",
-                    lambda v, _: differences_of_angles(v),
-                ),
-                Mistake(
-                    "These are roll, pitch and yaw of R2 R1^T: that is the rotation vector to first order only.",
-                    lambda v, _: angles_of_product(v),
-                ),
-                Mistake(
-                    "Each component seems to be read off one entry of R2 R1^T; the opposite entry counts as well.",
-                    lambda v, _: one_entry_each(v),
-                ),
-                Mistake(
-                    "This is B dq, the rotation to first order; dw between the printed rotations is asked.",
-                    lambda v, _: to_first_order(v),
-                ),
-            ),
-            hints=(
-                "Which product of the two matrices is R(dw)?",
-                "A rotation minus its transpose holds the axis times the sine of the angle, twice.",
-            ),
-            explain=explain_between,
-        ),
-        Part(
-            "small_rotations_B",
-            r"The 3 × 4 block $\mathbf B$ of the angular rows of the Jacobian at your $\mathbf q$, in base axes",
-            2,
-            Numbers((3, 4), "1", decimals=3),
-            angular_rows,
-            mistakes=(
-                Mistake(
-                    "The prismatic joint has its axis as an angular column; does a slide turn the tool?",
-                    lambda v, _: _axes(v),
-                ),
-                Mistake(
-                    "Column i seems to be taken from frame i; in the standard convention the axis of joint i is z of "
-                    "frame i - 1.",
-                    lambda v, _: _axes(v, 1) * TURNS,
-                ),
-                Mistake(
-                    "This is the block in axes of the tool frame; base axes are asked.",
-                    lambda v, _: rotation_at(v["form"], v["q"]).T @ angular_rows(v, {}),
-                ),
-            ),
-            hints=("Only directions matter, no lengths.", "What does a slide contribute to the rotation?"),
-            explain=explain_rows,
-        ),
-        Part(
-            "small_rotations_Bdq",
-            r"The rotation $\mathbf B\,d\mathbf q$ in base axes, which is $d\mathbf w$ to first order",
-            1,
-            Numbers((3,), "rad"),
-            rotation_to_first_order,
-            needs=("small_rotations_B",),
-            credit="all",
-            tolerance=TOLERANCE,
-            mistakes=(
-                Mistake(
-                    "This is dw between the printed rotations; the first order B dq is asked.",
-                    lambda v, _: between(v),
-                ),
-            ),
-            hints=("One matrix times one vector, signs included.",),
-            explain=explain_first_order,
-        ),
-        Part(
-            "small_rotations_factor",
-            r"By which factor, about, does the length of $d\mathbf w - \mathbf B\,d\mathbf q$ shrink when every entry of $d\mathbf q$ is divided by "
-            r"your $k$ and $\mathbf R_2$ is computed anew?",
-            1,
-            Choice(tuple(map(str, FACTORS))),
-            factor,
-            hints=("Is the difference of first, second or third order in the joint displacements?", "Try it."),
-            explain=explain_factor,
-        ),
-    ),
+    robot=robot,
+    units={**UNITS, "dq": ["rad", "rad", "m", "rad"], "R1": ROTATION, "R2": ROTATION, "k": "1"},
+    symbols={"dq": r"d\mathbf{q}"},
+    structure=("form",),
+    draw=draw,
+    statement=statement,
+    drawings=drawn,
+    scale=lambda d1, a2, a4: d1 + a2 + a4,
+    parts=(dw, B, Bdq, factor),
 )
