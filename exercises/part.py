@@ -19,7 +19,8 @@ r'''The contract of an exercise file. Read this first, then any file of catalogu
 A part is a function. Its name is the variable on the sheet (`speed_J`), its docstring is question, hints and worked
 solution (worked.py). Its parameters are names on the sheet: drawn numbers, `arm` (arm.py), and earlier parts, which it
 then needs - when a student is marked, they come from the student's own answers. Mistakes, checks, `shows` and the
-statement take parameters of the same kind; they may take the part itself too, and `v` stands for all drawn numbers.
+statement take parameters of the same kind; they may take the part itself too - by its name as a parameter, since a
+decorator stands above the function - and `v` stands for all drawn numbers.
 '''
 
 from collections.abc import Callable, Mapping, Sequence

@@ -24,7 +24,7 @@ from ..solutions.table import Table
 from .exercise import ExerciseError, Step
 
 PLACE = re.compile(r"<([A-Za-z_]\w*)>")
-SHOWN = re.compile(r"\$\$(.*?)<([A-Za-z_]\w*)>\s*\$\$")
+SHOWN = re.compile(r"\$\$(.*)<([A-Za-z_]\w*)>\s*\$\$")
 Value = Callable[[str], Any]
 """What stands in the place of a name."""
 
@@ -40,7 +40,7 @@ class Paragraph:
     @property
     def places(self) -> list[str]:
         """Names whose values stand in it."""
-        return [*PLACE.findall(self.text), *([self.shown] if self.shown else [])]
+        return [*PLACE.findall(self.text + self.symbol), *([self.shown] if self.shown else [])]
 
 
 @dataclass(frozen=True)
@@ -80,11 +80,15 @@ def _joined(text: str) -> str:
 def steps(paragraphs: tuple[Paragraph, ...], value: Value) -> Iterator[Step]:
     """The worked solution with its values. Raises ExerciseError where a value cannot stand in its place."""
     for paragraph in paragraphs:
-        text = PLACE.sub(lambda match: _as_text(match[1], value(match[1])), paragraph.text)
+        text = _filled(paragraph.text, value)
         if paragraph.shown:
-            yield from _displayed(text, paragraph.symbol, value(paragraph.shown))
+            yield from _displayed(text, _filled(paragraph.symbol, value), value(paragraph.shown))
         else:
             yield Step(text)
+
+
+def _filled(text: str, value: Value) -> str:
+    return PLACE.sub(lambda match: _as_text(match[1], value(match[1])), text)
 
 
 def _as_text(name: str, value: Any) -> str:
