@@ -241,6 +241,43 @@ def validate(
 
 
 @app.command()
+def new(
+    name: Annotated[str, typer.Argument(help="What the exercise is called, such as tip_speed.")],
+    course: CourseOption = Path(),
+) -> None:
+    """Write an exercise file that runs, with comments, into the course's exercises/ folder."""
+    from .new_exercise import write_exercise
+
+    path = write_exercise(name, course)
+    print(path)
+    where = "" if course == Path() else f" --course {quote(str(course))}"
+    say(f"See it: kinegrade preview {name}{where}   Prove it: kinegrade validate {name}{where}")
+
+
+@app.command()
+def preview(
+    exercise: Annotated[str, typer.Argument(help="The name or the file of an exercise.")],
+    seed: Annotated[int, typer.Option("--seed", min=0, help="Which draw is shown.")] = 0,
+    output: Annotated[Path | None, typer.Option("--output", "-o", help="An .html file.")] = None,
+    course: CourseOption = Path(),
+    show: Annotated[bool, typer.Option("--open/--no-open", help="Open it in a browser.")] = True,
+) -> None:
+    """Write sheet, worked solution and the feedback of every known mistake as one page."""
+    from ..exercises.catalogue import load
+    from .files import write_atomically
+    from .preview import preview_page
+    from .validate import chosen
+
+    (file,) = chosen((exercise,), course / "exercises")
+    made = load(file)
+    path = output or Path(f"{made.slug}-preview.html")
+    write_atomically(path, preview_page(made, seed))
+    print(path)
+    if show and sys.stdout.isatty():
+        typer.launch(str(path))
+
+
+@app.command()
 def plot(
     robot: Annotated[str, typer.Argument(help="A robot of the catalogue, such as puma560.")],
     output: Annotated[Path | None, typer.Option("--output", "-o", help="A .png, .svg or .pdf file.")] = None,

@@ -71,11 +71,9 @@ def unit_latex(unit: str) -> str:
 
 def page_text(text: str) -> str:
     """HTML of one line of our own Markdown: MathML between dollar signs, code between backticks, all else escaped."""
-    from latex2mathml.converter import convert
-
     parts = re.split(r"(\$[^$]+\$|`[^`]+`)", text)
     return "".join(
-        _bold(convert(part[1:-1]))
+        mathml(part[1:-1])
         if part.startswith("$")
         else f"<code>{escape(part[1:-1])}</code>"
         if part.startswith("`")
@@ -84,11 +82,18 @@ def page_text(text: str) -> str:
     )
 
 
-def _bold(mathml: str) -> str:
+def mathml(latex: str, display: str = "inline") -> str:
+    """MathML of a formula, inline or as a block."""
+    from latex2mathml.converter import convert
+
+    return _bold(convert(latex, display=display))
+
+
+def _bold(html: str) -> str:
     """Bold letters as characters of their own: browsers pass over mathvariant."""
 
     def letter(match: re.Match[str]) -> str:
         first = 0x1D400 - ord("A") if match[1].isupper() else 0x1D41A - ord("a")
         return f"<mi>{chr(ord(match[1]) + first)}</mi>"
 
-    return re.sub(r'<mi mathvariant="bold">([A-Za-z])</mi>', letter, mathml)
+    return re.sub(r'<mi mathvariant="bold">([A-Za-z])</mi>', letter, html)

@@ -29,7 +29,7 @@ SELF_CHECK = "## Self-check\n\nRun this cell at any time. It sees what is there,
 
 def notebooks(course: str, sheet: Sheet, student: Student, pairs: Sequence[Pair]) -> tuple[bytes, bytes]:
     """What the student gets, and what the instructor keeps."""
-    questions = [_question(number, exercise, v) for number, (exercise, v) in enumerate(pairs, 1)]
+    questions = [question_text(number, exercise, v) for number, (exercise, v) in enumerate(pairs, 1)]
     heading = _heading(course, sheet, student, pairs)
     handout, solution = [_markdown(heading)], [_markdown(f"{heading}\n\n**Worked solution, for the instructor.**")]
     for cells in (handout, solution):
@@ -49,17 +49,17 @@ def notebooks(course: str, sheet: Sheet, student: Student, pairs: Sequence[Pair]
 
 def _blanks(exercise: Exercise, *, hints: bool) -> Iterator[Any]:
     for part in exercise.asked:
-        yield _markdown(_prompt(part, hints=hints))
+        yield _markdown(prompt_text(part, hints=hints))
         yield _code(blank(part), part.variable)
 
 
 def _worked(exercise: Exercise, v: dict[str, Any]) -> Iterator[Any]:
     answers = references(exercise, v)
     for part in exercise.asked:
-        yield _markdown(_prompt(part, hints=False))
+        yield _markdown(prompt_text(part, hints=False))
         yield from map(_markdown, worked_steps(part, v, answers))
         if isinstance(part.answer, Manual):
-            yield _markdown("\n".join(f"- {_points(points)}: {text}" for points, text in part.answer.rubric))
+            yield _markdown("\n".join(f"- {points_text(points)}: {text}" for points, text in part.answer.rubric))
         yield _code(answer_code(part, answers[part.variable]), part.variable)
 
 
@@ -108,7 +108,7 @@ def _heading(course: str, sheet: Sheet, student: Student, pairs: Sequence[Pair])
         f"# {sheet.title or sheet.name}",
         (
             f"{course} · sheet `{sheet.name}` · **{no_markup(student.name) or student.id}** (`{student.id}`) · "
-            f"{_points(points)} · about {minutes} minutes"
+            f"{points_text(points)} · about {minutes} minutes"
         ),
         (
             "The numbers on this sheet are yours alone. Replace each `...` by your answer and keep the names of the "
@@ -123,9 +123,10 @@ def _heading(course: str, sheet: Sheet, student: Student, pairs: Sequence[Pair])
     return "\n\n".join(lines)
 
 
-def _question(number: int, exercise: Exercise, v: dict[str, Any]) -> str:
+def question_text(number: int, exercise: Exercise, v: dict[str, Any]) -> str:
+    """Markdown of an exercise's heading, statement, numbers and figures."""
     parts = (
-        f"## {number}. {exercise.title} ({_points(exercise.points)})",
+        f"## {number}. {exercise.title} ({points_text(exercise.points)})",
         f"*{' '.join(exercise.objectives)}*" if exercise.objectives else "",
         exercise.statement(v),
         *_given_numbers(exercise, v),
@@ -155,7 +156,8 @@ def _symbol(name: str, value: Any) -> str:
     return "".join([bold, index, *rest])
 
 
-def _points(points: float) -> str:
+def points_text(points: float) -> str:
+    """Points in words."""
     return f"{points:g} point" if points == 1 else f"{points:g} points"
 
 
@@ -172,9 +174,10 @@ def _figures(drawings: Sequence[Drawing]) -> tuple[str, ...]:
     return ("\n".join(rows),)
 
 
-def _prompt(part: Part, *, hints: bool) -> str:
+def prompt_text(part: Part, *, hints: bool) -> str:
+    """Markdown of a part's question, with its options and hints."""
     stop = "" if part.prompt.endswith((".", "?", "!", ":")) else "."
-    blocks = [f"**`{part.variable}`** ({_points(part.points)}): {part.prompt}{stop}{_asked(part)}"]
+    blocks = [f"**`{part.variable}`** ({points_text(part.points)}): {part.prompt}{stop}{_asked(part)}"]
     if isinstance(part.answer, Choice):
         options = zip(part.answer.letters, part.answer.options, strict=True)
         blocks.append("\n".join(f"- **{letter})** {option}" for letter, option in options))

@@ -28,11 +28,13 @@ def write_feedback(course: Course, sheet: Sheet, exercises: Sequence[Exercise], 
     blocks = [
         {
             "title": exercise.title,
-            "parts": [_part(part, verdicts[part.variable]) for part in exercise.asked if part.variable in verdicts],
+            "parts": [
+                feedback_block(part, verdicts[part.variable]) for part in exercise.asked if part.variable in verdicts
+            ],
         }
         for exercise in exercises
     ]
-    html = _template("feedback.html").render(
+    html = template("feedback.html").render(
         course=course.settings.title,
         sheet=sheet.title or sheet.name,
         student=result.student,
@@ -44,7 +46,8 @@ def write_feedback(course: Course, sheet: Sheet, exercises: Sequence[Exercise], 
     return path
 
 
-def _part(part: Part, verdict: Verdict) -> dict[str, Any]:
+def feedback_block(part: Part, verdict: Verdict) -> dict[str, Any]:
+    """What a feedback page says of one part."""
     return {
         "variable": part.variable,
         "prompt": Markup(page_text(part.prompt)),  # noqa: S704 - page_text escapes
@@ -107,9 +110,7 @@ def write_report(course: Course, sheets: Sequence[tuple[Sheet, Sequence[Exercise
     blocks = [_sheet_block(sheet, exercises, results) for sheet, exercises, results in sheets]
     robots = {exercise.robot for _, exercises, _ in sheets for exercise in exercises if exercise.robot}
     figures = [_figure(path.parent, name) for name in sorted(robots)]
-    write_atomically(
-        path, _template("report.html").render(course=course.settings.title, sheets=blocks, figures=figures)
-    )
+    write_atomically(path, template("report.html").render(course=course.settings.title, sheets=blocks, figures=figures))
     return path
 
 
@@ -168,7 +169,8 @@ def _figure(folder: Path, name: str) -> dict[str, str]:
 
 
 @cache
-def _template(name: str) -> Template:
+def template(name: str) -> Template:
+    """One of our pages, with the style that all of them share."""
     environment: Any = Environment(loader=BaseLoader(), autoescape=True, trim_blocks=True, lstrip_blocks=True)
     style = files("kinegrade.course").joinpath("templates/style.css").read_text(encoding="utf-8")
     environment.globals["style"] = Markup(style)  # noqa: S704 - our own file

@@ -40,6 +40,11 @@ def draw_record(secret: str, sheet: str, student: str, exercise: Exercise, taken
     raise ExerciseError(f"exercise {exercise.slug}: {ATTEMPTS} draws gave no new numbers; draw from a wider set")
 
 
+def drawn(exercise: Exercise, seed: int) -> dict[str, Any]:
+    """The numbers of one draw as a record has them, after JSON: the same for the same seed, for nobody's sheet."""
+    return json.loads(json.dumps(exercise.draw(np.random.default_rng(seed))))
+
+
 def generator(secret: str, *where: str | int) -> np.random.Generator:
     """A generator seeded by HMAC-SHA256 of sheet, exercise, student and attempt under the course secret."""
     digest = hmac.digest(secret.encode(), "\0".join(map(str, where)).encode(), "sha256")

@@ -16,7 +16,12 @@ ORDER = ("solutions", "exercises", "grader", "course")
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
 SETUPTOOLS = PROJECT["tool"]["setuptools"]
 MODULES = [path.relative_to(ROOT) for package in ORDER for path in sorted((ROOT / package).rglob("*.py"))]
-DISTRIBUTIONS = {"IPython": "ipython", "sqlalchemy": "SQLAlchemy", "markupsafe": "jinja2"}  # jinja2 brings markupsafe
+DISTRIBUTIONS = {
+    "IPython": "ipython",
+    "sqlalchemy": "SQLAlchemy",
+    "markupsafe": "jinja2",
+    "markdown_it": "markdown-it-py",
+}  # jinja2 brings markupsafe
 HEAVY = ("sympy", "matplotlib", "sqlalchemy", "IPython", "typst", "nbformat", "jinja2", "pydantic", "numpy", "scipy")
 HELP = """
 from kinegrade.course.cli import main
