@@ -19,7 +19,6 @@ WHERE = "import kinegrade.course as c, kinegrade, pathlib; print(pathlib.Path(c.
 
 COURSE = """
 title = "Wheel"
-secret = "a secret for tests, long enough"
 [[sheet]]
 name = "one"
 title = "Sheet one"
