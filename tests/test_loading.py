@@ -133,7 +133,7 @@ def test_many_threads_get_one_module(tmp_path):
         ("\nimport sys\nsys.exit(3)\nEXERCISE = 1\n", {}, "stopped with SystemExit: 3 (line 3 of reach.py)"),
         ("EXERCISE = (1,\n 2\n", {}, "stopped with SyntaxError: '(' was never closed (line 1 of reach.py)"),
         (REACH.replace("reach_area", "area"), {}, "starts with reach_, got 'area' (line "),
-        (REACH.replace("EXERCISE =", "mine ="), {}, "takes a top-level EXERCISE = Exercise(...); it calls its exercise 'mine'"),
+        (REACH.replace("EXERCISE =", "mine ="), {}, "EXERCISE = Exercise(...); it calls its exercise 'mine'"),
         (REACH.rstrip() + ",\n", {}, "its EXERCISE is of type tuple"),
     ],
 )  # fmt: skip
