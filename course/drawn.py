@@ -23,23 +23,22 @@ def drawn(exercise: Exercise, rng: np.random.Generator) -> dict[str, Any]:
     return _through_json(exercise, _draw(exercise, rng))
 
 
-def drawn_strictly(exercise: Exercise, seed: int) -> dict[str, Any]:
-    """The same, of a generator with this seed, for proving an exercise.
+def prove_drawn(exercise: Exercise, seed: int, numbers: dict[str, Any]) -> None:
+    """Holds what was drawn with a seed against a second draw with it.
 
     Raises:
-        ExerciseError: also where JSON changed something, or where an equal generator gives other numbers.
+        ExerciseError: JSON changed something, or an equal generator gives other numbers.
     """
     given = _draw(exercise, np.random.default_rng(seed))
-    numbers = _through_json(exercise, given)
-    if numbers != given:
+    again = _through_json(exercise, given)
+    if again != given:
         hint = next(_changed("", given), "write numbers, text, lists and dicts with text as keys")
         raise ExerciseError(f"exercise {exercise.slug}: the drawn numbers change on their way through JSON: {hint}")
-    if _through_json(exercise, _draw(exercise, np.random.default_rng(seed))) != numbers:
+    if again != numbers:
         raise ExerciseError(
             f"exercise {exercise.slug}: draw gives other numbers from an equal generator; take every random number "
             "from the rng that it is called with, none from np.random or random"
         )
-    return numbers
 
 
 def _draw(exercise: Exercise, rng: np.random.Generator) -> dict[str, Any]:
