@@ -5,7 +5,7 @@ from pathlib import Path
 from textwrap import wrap
 
 from ..exercises.catalogue import exercise_files
-from .config import CourseError, read_settings
+from .config import CourseError, Settings, read_settings
 from .console import say
 from .files import write_atomically
 from .secret import FILE, write_secret
@@ -48,11 +48,21 @@ def _refuse_what_is_complete(folder: Path) -> None:
     settings = folder / "course.toml"
     if (folder / FILE).exists() or read_settings(settings).secret:
         raise CourseError(f"{settings} is already there; init never overwrites a course")
-    if (folder / "gradebook.sqlite").exists() or (folder / "released").exists():
+    if (folder / "released").exists() or _has_records(folder / "gradebook.sqlite", read_settings(settings)):
         raise CourseError(
             f"{settings} is already there and has handed out sheets, but {folder / FILE} is not there; put the backup "
             "of the secret back, since from a new one follow other numbers"
         )
+
+
+def _has_records(path: Path, settings: Settings) -> bool:
+    """Whether numbers were drawn; a gradebook alone is made by every command that looks for one."""
+    if not path.exists():
+        return False
+    from .gradebook import Gradebook  # brings SQLAlchemy
+
+    with Gradebook(path) as gradebook:
+        return any(gradebook.records(sheet.name) for sheet in settings.sheet)
 
 
 def _written(path: Path, text: str) -> list[Path]:

@@ -13,7 +13,7 @@ import numpy as np
 
 from ..exercises.catalogue import exercise_files, find, load, own_files
 from ..exercises.exercise import ExerciseError
-from .config import read_settings
+from .config import CourseError, read_settings
 from .drawn import drawn, prove_drawn
 from .proof import Failure, because, failures_of
 from .variant import canonical
@@ -42,21 +42,28 @@ def chosen(names: Sequence[str], folder: Path) -> list[Path]:
 
     Raises:
         ExerciseError: a name is neither an exercise nor a file.
-        CourseError: course.toml cannot be read.
+        CourseError: the course folder is none, or its course.toml cannot be read.
     """
+    if not folder.is_dir():
+        raise CourseError(f"{folder} is no folder; --course takes the one with the course.toml")
     own = folder / "exercises"
     files = exercise_files(own)
     if not names and (folder / "course.toml").exists():
         named = [slug for sheet in read_settings(folder / "course.toml").sheet for slug in sheet.exercises]
         names = [*dict.fromkeys([*named, *own_files(own)])]
-    for name in names:
-        if not _is_file(name):
-            find(name, files, own)  # says what is known
-    return [Path(name) if _is_file(name) else files[name] for name in names] or [*files.values()]
+    paths = [_file_of(name, files, own) for name in names]
+    return [*dict.fromkeys(paths or files.values())]
 
 
-def _is_file(name: str) -> bool:
-    return name.endswith(".py") and Path(name).exists()
+def _file_of(name: str, files: dict[str, Path], own: Path) -> Path:
+    """The file that is named, or that of the exercise of that name."""
+    path = Path(name)
+    if name.isidentifier():
+        find(name, files, own)  # says what is known
+        return files[name]
+    if not path.is_file():
+        raise ExerciseError(f"{name} is not there; validate takes names of exercises, and files that end in .py")
+    return path
 
 
 def summary(validation: Validation) -> Iterator[str]:

@@ -97,6 +97,9 @@ def test_a_cloned_course_that_has_handed_out_nothing_gets_a_secret_and_nothing_e
     make_course(tmp_path)
     (tmp_path / "secret").unlink()
     before = (tmp_path / "course.toml").read_bytes()
+    with pytest.raises(CourseError, match="kinegrade init"):
+        handed_out(tmp_path)
+    assert (tmp_path / "gradebook.sqlite").exists()  # which has nothing in it
     assert write_course(tmp_path) == [tmp_path / ".gitignore", tmp_path / "secret"]
     assert (tmp_path / "course.toml").read_bytes() == before
     assert len(secret_of(tmp_path)) == 64

@@ -198,6 +198,29 @@ def test_without_names_a_course_validates_what_it_uses_and_elsewhere_all_there_i
     assert len(chosen((), tmp_path)) == len(exercise_files())
 
 
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("gone.py",), "gone.py is not there; validate takes names of exercises, and files that end in .py"),
+        (("lever", "-c", "nowhere"), "nowhere is no folder; --course takes the one with the course.toml"),
+    ],
+)
+def test_what_is_not_there_is_one_sentence(kinegrade, arguments, words):
+    ran = kinegrade("validate", *arguments)
+    assert (ran.code, ran.err) == (1, f"kinegrade: {words}\n")
+
+
+def test_an_exercise_that_is_named_twice_is_validated_once(tmp_path):
+    folder = make_course(tmp_path)
+    assert [path.stem for path in chosen(("lever", "lever"), folder)] == ["lever"]
+
+
+def test_a_file_that_is_no_python_is_told_so(tmp_path, kinegrade):
+    path = tmp_path / "course.toml"
+    path.touch()
+    assert "course.toml: an exercise file takes the ending .py" in kinegrade("validate", path).out
+
+
 def test_a_file_without_an_exercise_is_told_so(tmp_path, kinegrade):
     folder = make_course(tmp_path / "course")
     (folder / "exercises" / "arms.py").write_text("scale = 1\n", encoding="utf-8")
