@@ -20,7 +20,7 @@ from .variant import canonical
 
 KINDS = ("solve", "full marks", "nonsense", "mistakes", "printable", "render", "variants")
 TRIED = 4  # draws after which it is known how long the others take
-WORTH = 2.0  # seconds of work that is worth starting processes for
+WORTH = 3.0  # seconds of work that is worth starting processes for
 CHUNK = 20  # draws that one process looks at in one go
 MOST_ALIKE = 0.05  # share of draws that may repeat an earlier one
 
@@ -99,9 +99,9 @@ def _one(path: Path, draws: int, step: Callable[[int], None]) -> Validation:
     looked: list[_Looked] = []
     seconds: list[float] = []
     for seed in range(min(draws, TRIED)):
-        start = time.perf_counter()
+        start = time.process_time()
         looked.append(_look_at(path, [seed]))
-        seconds.append(time.perf_counter() - start)
+        seconds.append(time.process_time() - start)
         step(1)
     rest = range(draws)[len(looked) :]
     if not looked[0][0].draws:  # it cannot be loaded

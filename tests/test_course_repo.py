@@ -9,7 +9,7 @@ import pytest
 from kinegrade.course.config import read_course
 from kinegrade.course.new_course import PRIVATE
 from kinegrade.course.sheets import exercises_of
-from wheel import build, fresh_environment, run
+from wheels import build, fresh_environment, run
 
 EXAMPLE = Path(__file__).parents[1] / "examples" / "course-repo"
 WORKFLOW = EXAMPLE / ".github" / "workflows" / "exercises.yml"

@@ -10,7 +10,7 @@ import zipfile
 
 import pytest
 from courses import LEVER
-from wheel import ROOT, SOURCES, build, neighbours, run
+from wheels import ROOT, SOURCES, build, neighbours, run
 
 WHERE = "import kinegrade.course as c, kinegrade, pathlib; print(pathlib.Path(c.__file__).parents[2])"
 
