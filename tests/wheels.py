@@ -8,7 +8,14 @@ from pathlib import Path
 
 ROOT = Path(__file__).parents[1]
 SOURCES = ("pyproject.toml", "LICENSE", "README.md", "course", "exercises", "grader", "solutions")
-PYTEST = "#!{python}\nimport sys\nfrom pytest import console_main\nsys.exit(console_main())\n"
+PYTEST = """#!{python}
+import sys
+
+from pytest import console_main
+
+if __name__ == "__main__":
+    sys.exit(console_main())
+"""
 
 
 def build(folder):
