@@ -1,8 +1,9 @@
-# Two commands: `make demo` shows the whole path, `make test` proves it. Both build .venv when it is missing.
+# `make demo` shows the whole path, `make test` proves it, `make validate` proves the exercises. Each builds .venv when
+# it is missing.
 PYTHON ?= python3
 BIN := .venv/bin
 
-.PHONY: demo test clean
+.PHONY: demo test validate clean
 
 demo: .venv/product
 	$(BIN)/kinegrade demo
@@ -12,6 +13,9 @@ test: .venv/tests
 	$(BIN)/ruff format --check .
 	$(BIN)/basedpyright
 	$(BIN)/pytest -n auto
+
+validate: .venv/product
+	$(BIN)/kinegrade validate --draws 100
 
 .venv/bin/python:
 	$(PYTHON) -m venv .venv || { rm -rf .venv; echo "python3 3.11 or newer with venv is needed (Debian and Ubuntu: apt install python3-venv)"; exit 1; }

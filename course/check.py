@@ -10,6 +10,7 @@ import numpy as np
 
 from ..exercises.catalogue import exercise_files, find
 from ..exercises.exercise import Exercise
+from ..exercises.neighbours import is_ours
 from ..grader.ask import Limits
 from ..grader.mark import mark
 from ..grader.own_work import Remark, remarks
@@ -17,6 +18,7 @@ from ..grader.unreadable import entries_named
 from ..grader.verdict import STATUS_WORDS, Verdict
 from ..grader.wire import Raw
 from .config import CourseError, Mode
+from .drawn import drawn
 from .notebook import KEY
 from .submissions import read_submission
 
@@ -32,24 +34,34 @@ class Handout:
     numbers: Mapping[str, dict[str, Any]]
 
 
-def check_file(path: Path, sheet: Path | None = None) -> tuple[Handout, list[Remark]]:
+def check_file(path: Path, sheet: Path | None = None, exercises: Path | None = None) -> tuple[Handout, list[Remark]]:
     """Remarks on every part of a student's file. `sheet` is the handed-out notebook, where the file is not one.
+
+    A course's own exercises are looked for in the folder `exercises`, else in those of `own_folders`.
 
     Raises:
         CourseError: a file cannot be read, or does not say which sheet it belongs to.
+        ExerciseError: an exercise file of the course cannot be run.
     """
+    if exercises is not None and not exercises.is_dir():
+        raise CourseError(f"{exercises} is no folder; --exercises takes the one with the course's exercise files")
     submission = read_submission(path)
     handout = read_handout(sheet or path)
-    files = exercise_files()
-    exercises = [find(slug, files) for slug in handout.numbers if slug in files]
-    if not exercises:
-        raise CourseError(f"{sheet or path}: none of its exercises is installed here: {', '.join(handout.numbers)}")
-    numbers = {exercise.slug: with_samples(exercise, handout.numbers[exercise.slug]) for exercise in exercises}
-    asks = [ask for exercise in exercises for ask in submission.asks(exercise, numbers[exercise.slug])]
+    folders = [exercises] if exercises else own_folders(path)
+    files = exercise_files(*folders)
+    known = [find(slug, files) for slug in handout.numbers if slug in files]
+    if not known:
+        looked = f"nor in {' or '.join(map(str, folders))}" if folders else "nor is there a folder exercises/"
+        raise CourseError(
+            f"{sheet or path}: none of its exercises is installed here: {', '.join(handout.numbers)}; {looked} "
+            "(--exercises DIR, if you were given exercise files)"
+        )
+    numbers = {exercise.slug: with_samples(exercise, handout.numbers[exercise.slug]) for exercise in known}
+    asks = [ask for exercise in known for ask in submission.asks(exercise, numbers[exercise.slug])]
     raws = submission.raws(asks, Limits())
     unknown = "an exercise of this course that is not installed here; it is not checked"
     found = [Remark(slug, ok=True, text=unknown) for slug in handout.numbers if slug not in files]
-    for exercise in exercises:
+    for exercise in known:
         try:
             found += _remarks(handout.mode, exercise, numbers[exercise.slug], raws)
         except (LookupError, TypeError, ValueError, ArithmeticError) as error:
@@ -57,11 +69,28 @@ def check_file(path: Path, sheet: Path | None = None) -> tuple[Handout, list[Rem
     return handout, found
 
 
+def own_folders(path: Path) -> list[Path]:
+    """Where exercise files may lie that this machine's owner put there: beside the notebook, and where one is.
+
+    What lies in a course's submitted/ came from somebody else and is not run.
+    """
+    places = [place for place in (path.parent, Path()) if not _is_handed_in(place)]
+    found = {(place / "exercises").resolve(): place / "exercises" for place in places}
+    return [folder for real, folder in found.items() if real.is_dir() and not is_ours(real)]
+
+
+def _is_handed_in(place: Path) -> bool:
+    folder = place.resolve()
+    return any(
+        outer.name == "submitted" and (outer.parent / "course.toml").exists() for outer in (folder, *folder.parents)
+    )
+
+
 def with_samples(exercise: Exercise, v: dict[str, Any]) -> dict[str, Any]:
     """The sheet's numbers, and in place of those that the instructor keeps what a first draw would have."""
     if not exercise.hidden:
         return v
-    sample = exercise.draw(np.random.default_rng(0))
+    sample = drawn(exercise, np.random.default_rng(0))
     return {**{name: sample[name] for name in exercise.hidden if name in sample}, **v}
 
 

@@ -4,8 +4,6 @@ Exit 0: done. 1: `check` found something wrong, or another command could not do 
 """
 
 import io
-import logging
-import os
 import sys
 from contextlib import contextmanager
 from pathlib import Path
@@ -15,6 +13,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from ..solutions.errors import KinegradeError
+from .complaints import debugging, one_of_each
 from .console import progress, say
 
 if TYPE_CHECKING:
@@ -42,9 +41,9 @@ def main() -> None:
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="replace")  # a console without ✓ shows a question mark
-    logging.basicConfig(level=logging.WARNING, format="%(levelname)s: %(message)s")
     try:
-        app()
+        with one_of_each():
+            app()
     except KinegradeError as error:
         sys.stderr.write(f"kinegrade: {error}\n")
         sys.exit(1)
@@ -52,7 +51,7 @@ def main() -> None:
         sys.stderr.write(f"kinegrade: {error.filename or 'a file'}: {error.strerror or error}\n")
         sys.exit(1)
     except Exception as error:
-        if os.environ.get("KINEGRADE_DEBUG"):
+        if debugging():
             raise
         said = f"{type(error).__name__}: {error}"
         sys.stderr.write(f"kinegrade: this is our fault, not yours: {said} (KINEGRADE_DEBUG=1 shows where)\n")
@@ -75,11 +74,11 @@ def demo(
 
 @app.command()
 def init(folder: Annotated[Path, typer.Argument(help="A new course folder.")]) -> None:
-    """Write a commented course.toml and a roster.csv."""
-    from .config import write_course
+    """Write a commented course.toml, a roster.csv, the course's secret, and a .gitignore that keeps it to yourself."""
+    from .new_course import write_course
 
-    write_course(folder)
-    print(f"{folder / 'course.toml'}\n{folder / 'roster.csv'}")
+    for path in write_course(folder):
+        print(path)
     say(f"Fill in roster.csv, then: kinegrade generate --course {quote(str(folder))}")
 
 
@@ -129,12 +128,20 @@ def grade(
 def check(
     file: Annotated[Path, typer.Argument(help="Your notebook, .json, .csv or .mat.")],
     sheet: Annotated[Path | None, typer.Option("--sheet", help="The notebook as it was handed out.")] = None,
+    exercises: Annotated[
+        Path | None,
+        typer.Option(
+            "--exercises",
+            help="A folder with exercise files of the course, which are run; else exercises/ beside the notebook "
+            "and in this folder.",
+        ),
+    ] = None,
 ) -> None:
     """Look at one's own answers, as far as the sheet's mode allows; needs no course folder."""
     from .check import check_file
     from .escape import printable
 
-    handout, found = check_file(file, sheet)
+    handout, found = check_file(file, sheet, exercises)
     for remark in found:
         sentence, *typed = remark.text.split("\n")
         print(f"{'✓' if remark.ok else '✗'} {remark.part:28} {printable(sentence)}")
@@ -219,20 +226,25 @@ def report(course: CourseOption = Path()) -> None:
 @app.command()
 def validate(
     exercises: Annotated[
-        list[str] | None, typer.Argument(help="Names or files of exercises; all known ones when none is given.")
+        list[str] | None,
+        typer.Argument(
+            help="Names or files of exercises; when none is given, all that the course uses, or without a course all."
+        ),
     ] = None,
     course: CourseOption = Path(),
-    seeds: Annotated[int, typer.Option("--seeds", min=1, help="How many draws of each are looked at.")] = 100,
+    draws: Annotated[int, typer.Option("--draws", min=1, help="How many draws of each are looked at.")] = 20,
+    seeds: Annotated[int | None, typer.Option("--seeds", min=1, hidden=True, help="The same as --draws.")] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON instead of a table.")] = False,
 ) -> None:
     """Prove that exercises can be solved, marked and told apart from nonsense and known mistakes."""
-    from .validate import chosen, steps
+    from .validate import chosen
     from .validate import validate as look
     from .validation_table import show_validations, validations_json
 
-    paths = chosen(tuple(exercises or ()), course / "exercises")
-    with progress("Validating", steps(len(paths), seeds)) as step:
-        validations = look(paths, seeds, step)
+    draws = seeds or draws
+    paths = chosen(tuple(exercises or ()), course)
+    with progress("Validating", len(paths) * draws) as step:
+        validations = look(paths, draws, step)
     if as_json:
         print(validations_json(validations))
     else:

@@ -3,21 +3,16 @@
 import csv
 import io
 import re
-import secrets
 import tomllib
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from difflib import get_close_matches
-from importlib.resources import files
 from pathlib import Path
-from textwrap import wrap
 from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
-from ..exercises.catalogue import exercise_files
 from ..solutions.errors import KinegradeError
-from .files import write_atomically
 
 Mode = Literal["practice", "graded", "exam"]
 SAFE_NAME = re.compile(r"[A-Za-z0-9]([A-Za-z0-9._-]{0,62}[A-Za-z0-9_-])?")
@@ -63,7 +58,7 @@ class Settings(_Strict):
     """All of course.toml."""
 
     title: str
-    secret: Annotated[str, Field(min_length=16)]
+    secret: Annotated[str, Field(min_length=16)] | None = None  # of older courses; it has a file of its own
     sheet: Annotated[tuple[Sheet, ...], Field(min_length=1)]
     limits: LimitsTable = LimitsTable()
 
@@ -204,25 +199,3 @@ def _text(path: Path, missing: str) -> str:
         raise CourseError(f"{path} is not there: {missing}") from None
     except (OSError, UnicodeDecodeError) as error:
         raise CourseError(f"{path} cannot be read as UTF-8 text: {error}") from error
-
-
-def course_text(title: str, secret: str) -> str:
-    """A commented course.toml."""
-    template = files("kinegrade.course").joinpath("templates/course.toml").read_text(encoding="utf-8")
-    known = "\n# ".join(wrap(", ".join(sorted(exercise_files())), 100))
-    return template.replace("@TITLE@", title).replace("@SECRET@", secret).replace("@EXERCISES@", known)
-
-
-def write_course(folder: Path, title: str = "The robot Jacobian") -> None:
-    """A new course folder with a commented course.toml, a secret of its own and a roster to fill in.
-
-    Raises:
-        CourseError: the folder already holds a course.
-    """
-    if (folder / "course.toml").exists():
-        raise CourseError(f"{folder / 'course.toml'} is already there; init never overwrites a course")
-    if not (folder / "roster.csv").exists():
-        write_atomically(folder / "roster.csv", "student,name\nstudent01,First Student\nstudent02,Second Student\n")
-    write_atomically(
-        folder / "course.toml", course_text(title, secrets.token_hex(32))
-    )  # last: with it, the folder is a course

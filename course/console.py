@@ -11,12 +11,16 @@ def say(text: str) -> None:
 
 
 @contextmanager
-def progress(title: str, total: int) -> Generator[Callable[[], None]]:
-    """A bar on stderr; the yielded function advances it by one."""
+def progress(title: str, total: int) -> Generator[Callable[..., None]]:
+    """A bar on stderr; the yielded function advances it by one, or by a count."""
     from rich.console import Console
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
     columns = (TextColumn(title), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
     with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
         task = bar.add_task(title, total=total)
-        yield lambda: bar.advance(task)
+
+        def advance(count: int = 1) -> None:
+            bar.advance(task, count)
+
+        yield advance

@@ -19,6 +19,7 @@ from .files import write_atomically
 from .gradebook import Gradebook
 from .marking import mark_sheets, show
 from .marks import by_hand, enter
+from .secret import FILE
 from .sheets import exercises_of, generate
 
 SECRET = "a demonstration keeps no secrets: its numbers are the same everywhere"  # noqa: S105
@@ -173,18 +174,24 @@ def run_demo(folder: Path) -> None:
 def _prepare(folder: Path) -> None:
     settings = folder / "course.toml"
     if settings.exists():
-        if SECRET not in settings.read_text(encoding="utf-8"):
+        if SECRET not in _text(settings) + _text(folder / FILE):
             raise CourseError(f"{folder} holds a course that is not the demonstration; name another folder")
         return
+    if _text(folder / FILE).strip() not in ("", SECRET):
+        raise CourseError(f"{folder / FILE} holds a secret that is not the demonstration's; name another folder")
     roster = [f"student{i:02},{habit.title}" for i, habit in enumerate(HABITS, 1)]
     write_atomically(folder / "roster.csv", "\n".join(["student,name", *roster]) + "\n")
     blocks = [
         f'[[sheet]]\nname = "{name}"\ntitle = "{title}"\nexercises = {json.dumps(slugs.split())}\n'
         for name, title, slugs in SHEETS
     ]
-    head = f'title = "Kinegrade demonstration"\nsecret = "{SECRET}"\n'
-    text = "\n".join([head, *blocks, "[limits]\ncell_seconds = 2\n"])
+    write_atomically(folder / FILE, SECRET + "\n", mode=0o600)
+    text = "\n".join(['title = "Kinegrade demonstration"\n', *blocks, "[limits]\ncell_seconds = 2\n"])
     write_atomically(settings, text)  # last: with it, the folder is the demonstration
+
+
+def _text(path: Path) -> str:
+    return path.read_text(encoding="utf-8", errors="replace") if path.is_file() else ""
 
 
 def hand_in(course: Course, gradebook: Gradebook, sheet: Sheet) -> None:

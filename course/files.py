@@ -5,7 +5,7 @@ import tempfile
 from pathlib import Path
 
 
-def write_atomically(path: Path, data: bytes | str) -> None:
+def write_atomically(path: Path, data: bytes | str, mode: int = 0o644) -> None:
     """The whole new content or the old: written under a temporary name beside it, synced, then renamed."""
     path.parent.mkdir(parents=True, exist_ok=True)
     # A student's text may hold half a surrogate pair, which UTF-8 cannot; a question mark stands for it.
@@ -16,7 +16,7 @@ def write_atomically(path: Path, data: bytes | str) -> None:
             file.write(content)
             file.flush()
             os.fsync(file.fileno())
-        os.chmod(name, 0o644)  # noqa: PTH101 - mkstemp gives 0600; a sheet is for its student
+        os.chmod(name, mode)  # noqa: PTH101 - mkstemp gives 0600; a sheet is for its student
         os.replace(name, path)  # noqa: PTH105
     except BaseException:
         Path(name).unlink(missing_ok=True)

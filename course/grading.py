@@ -1,6 +1,5 @@
 """Marking a class: every submission on its own, every grade one transaction, nothing marked twice."""
 
-import hashlib
 import logging
 import os
 from collections.abc import Callable, Generator, Iterator, Sequence
@@ -10,7 +9,7 @@ from dataclasses import dataclass, replace
 from importlib.metadata import version
 from typing import Any
 
-from ..exercises.catalogue import exercise_files
+from ..exercises.catalogue import content_hash, exercise_files
 from ..exercises.exercise import Exercise, Manual
 from ..grader.ask import Ask, Limits
 from ..grader.mark import mark
@@ -81,7 +80,8 @@ class SheetMarker:
         self._parts = {part.variable: part for exercise in self.exercises for part in exercise.asked}
         self._marks = gradebook.marks(sheet.name)
         self.limits = Limits(**course.settings.limits.model_dump())
-        self._files = exercise_files(course.folder / "exercises")
+        files = exercise_files(course.folder / "exercises")
+        self._hashes = [content_hash(files[slug]) for slug in sheet.exercises]  # with the modules beside them
         self._records: dict[str, dict[str, Record]] = {}
         self._moved: dict[str, frozenset[str]] = {}
         self._read_records(accept_change=accept_change)
@@ -156,10 +156,16 @@ class SheetMarker:
 
     def _rules(self, records: dict[str, Record], moved: frozenset[str], submission: Submission) -> str:
         """A hash of all that a grade follows from besides the submission's bytes."""
-        texts = [hashlib.sha256(self._files[slug].read_bytes()).hexdigest() for slug in self.sheet.exercises]
         drawn = [[record.attempt, record.numbers, record.answers] for _, record in sorted(records.items())]
         kind = submission.path.suffix
-        parts = (version("kinegrade"), kind, texts, drawn, sorted(moved), self.course.settings.limits.model_dump())
+        parts = (
+            version("kinegrade"),
+            kind,
+            self._hashes,
+            drawn,
+            sorted(moved),
+            self.course.settings.limits.model_dump(),
+        )
         return digest(canonical(parts).encode())
 
     def _waiting(self, reason: str) -> tuple[Verdict, ...]:

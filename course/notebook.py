@@ -10,7 +10,18 @@ import nbformat
 import numpy as np
 
 from ..exercises.drawing import Drawing
-from ..exercises.exercise import Choice, Conditions, Configurations, Exercise, Manual, Numbers, Part, Step, references
+from ..exercises.exercise import (
+    Choice,
+    Conditions,
+    Configurations,
+    Exercise,
+    ExerciseError,
+    Manual,
+    Numbers,
+    Part,
+    Step,
+    references,
+)
 from ..grader.arm import draw
 from ..grader.raster import data_uri, png
 from ..solutions.expression import latex_name
@@ -89,8 +100,27 @@ def _rows(numbers: list[Any]) -> str:
 def worked_steps(part: Part, v: dict[str, Any], answers: dict[str, Any]) -> Iterator[str]:
     """Markdown of a part's steps, the general formula before the numbers."""
     decimals = getattr(part.answer, "decimals", DECIMALS)
-    for step in part.explain(v, answers) if part.explain else ():
+    for step in _steps(part, v, answers):
         yield "\n\n".join(text for text in (step.text, *_displayed(step, decimals)) if text)
+
+
+def _steps(part: Part, v: dict[str, Any], answers: dict[str, Any]) -> Sequence[Step]:
+    """What `explain` returns.
+
+    Raises:
+        ExerciseError: it is text, or something else than steps.
+    """
+    told: Any = part.explain
+    if callable(told):
+        told = told(v, answers)
+    steps = [] if told is None else list(told)
+    if isinstance(told, str) or not all(isinstance(step, Step) for step in steps):
+        got = "text" if isinstance(told, str) else type(told).__name__
+        raise ExerciseError(
+            f"explain of {part.variable} takes a function that returns steps, "
+            f'such as explain=lambda v, given: [Step("Differentiate the position:")], got {got}'
+        )
+    return steps
 
 
 def _displayed(step: Step, decimals: int) -> Iterator[str]:

@@ -2,6 +2,7 @@
 
 from typing import Any
 
+import numpy as np
 from markupsafe import Markup
 
 from ..exercises.answers import Manual
@@ -12,11 +13,11 @@ from ..grader.mark import mark
 from ..grader.verdict import Verdict
 from ..grader.wire import Raw
 from .blanks import answer_code
+from .drawn import drawn
 from .escape import no_markup
 from .markdown import markdown_html
 from .notebook import given_cell, points_text, prompt_text, question_text, worked_steps
 from .pages import feedback_block, template
-from .variant import drawn
 
 
 def preview_page(exercise: Exercise, seed: int) -> str:
@@ -25,7 +26,7 @@ def preview_page(exercise: Exercise, seed: int) -> str:
     Raises:
         ExerciseError: the exercise fails on these numbers; `validate` says more.
     """
-    v = drawn(exercise, seed)
+    v = drawn(exercise, np.random.default_rng(seed))
     key = AnswerKey(exercise, v)
     right = {part.variable: handed_in(part.answer, key.reference[part.variable], v) for part in exercise.asked}
     return template("preview.html").render(

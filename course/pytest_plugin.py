@@ -1,6 +1,7 @@
-"""pytest in a course repository: every file of the course's exercises/ folder is validated, with no other set-up.
+"""pytest where exercises lie: every file of an exercises/ folder that defines one is validated, with no set-up.
 
-Draws per exercise are the ini value `kinegrade_seeds`, 100 by default.
+Draws of each are the option --kinegrade-draws, or the ini value `kinegrade_draws` (before: `kinegrade_seeds`), or 20.
+The exercises of this package are not collected: its own tests prove them, and theirs is another folder.
 """
 
 from pathlib import Path
@@ -11,21 +12,53 @@ import pytest
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
+OPTION = "--kinegrade-draws"
+INI = ("kinegrade_draws", "kinegrade_seeds")
+DRAWS = "20"
+OURS = Path(__file__).resolve().parents[1] / "exercises"
+
 
 class InvalidExercise(Exception):
     """What a failed item shows in place of a traceback."""
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    """Declares the ini value."""
-    parser.addini("kinegrade_seeds", "Draws of every exercise of a course that are validated.", default="100")
+    """Declares the option and the ini values."""
+    group = parser.getgroup("kinegrade", "robotics exercises")
+    group.addoption(OPTION, metavar="N", default="", help="Draws of every exercise that are validated.")
+    parser.addini(INI[0], f"Draws of every exercise that are validated ({DRAWS} when not given).", default="")
+    parser.addini(INI[1], f"The older name of {INI[0]}.", default="")
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Refuses a number of draws that is none, before anything is collected."""
+    draws(config)
+
+
+def draws(config: pytest.Config) -> int:
+    """Draws of every exercise: the first that is given of the option and the ini values.
+
+    Raises:
+        pytest.UsageError: it is no positive whole number.
+    """
+    given = {OPTION: str(config.getoption(OPTION)), **{name: str(config.getini(name)) for name in INI}}
+    for name, text in given.items():
+        if text.strip():
+            return _positive(name, text.strip())
+    return int(DRAWS)
+
+
+def _positive(name: str, given: str) -> int:
+    if not given.isascii() or not given.isdigit() or int(given) == 0:
+        raise pytest.UsageError(f"{name} takes a positive whole number, got {given!r}")
+    return int(given)
 
 
 def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> "ExerciseFile | None":
-    """An exercise file in the exercises/ folder beside a course.toml."""
+    """A file in an exercises/ folder with an EXERCISE, unless it is one of this package."""
     if file_path.suffix != ".py" or file_path.parent.name != "exercises":
         return None
-    if not (file_path.parent.parent / "course.toml").exists():
+    if file_path.resolve().is_relative_to(OURS):
         return None
     from ..exercises.catalogue import defines_exercise
 
@@ -50,7 +83,7 @@ class ExerciseItem(pytest.Item):
         """Raises InvalidExercise with all that failed."""
         from .validate import summary, validate_file
 
-        validation = validate_file(self.path, int(self.config.getini("kinegrade_seeds")))
+        validation = validate_file(self.path, draws(self.config))
         if validation.failures:
             raise InvalidExercise("\n".join(summary(validation)))
 

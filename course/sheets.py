@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 from ..exercises.catalogue import exercise_files, find
@@ -11,6 +12,7 @@ from .config import Course, CourseError, Sheet, Student
 from .files import write_atomically
 from .gradebook import Gradebook
 from .notebook import notebooks, printed
+from .secret import read_secret
 from .starter_matlab import starter
 from .variant import Record, canonical, draw_record
 
@@ -32,8 +34,9 @@ def exercises_of(course: Course, sheet: Sheet) -> list[Exercise]:
         ExerciseError: one is unknown or broken.
         CourseError: two exercises ask for variables of the same name.
     """
-    files = exercise_files(course.folder / "exercises")
-    exercises = [find(slug, files) for slug in sheet.exercises]
+    own = course.folder / "exercises"
+    files = exercise_files(own)
+    exercises = [find(slug, files, own) for slug in sheet.exercises]
     names = [part.variable for exercise in exercises for part in exercise.asked]
     for name in names:
         if names.count(name) > 1:
@@ -49,11 +52,12 @@ def generate(
     `step` is called after each.
     """
     done: list[Released] = []
+    secret = cache(lambda: read_secret(course))  # not asked for where all is drawn
     for sheet in sheets:
         exercises = exercises_of(course, sheet)
         drawn = {(record.student, record.exercise): record for record in gradebook.records(sheet.name)}
         for student in course.students:
-            fresh = _draw_missing(course.settings.secret, sheet, student, exercises, drawn)
+            fresh = _draw_missing(secret, sheet, student, exercises, drawn)
             records = [drawn[student.id, exercise.slug] for exercise in exercises]
             if fresh:
                 _agree(_released(course, sheet, student), exercises, records)
@@ -64,7 +68,11 @@ def generate(
 
 
 def _draw_missing(
-    secret: str, sheet: Sheet, student: Student, exercises: list[Exercise], drawn: dict[tuple[str, str], Record]
+    secret: Callable[[], str],
+    sheet: Sheet,
+    student: Student,
+    exercises: list[Exercise],
+    drawn: dict[tuple[str, str], Record],
 ) -> list[Record]:
     """What was not drawn for the student before, also put into `drawn`."""
     fresh: list[Record] = []
@@ -73,7 +81,7 @@ def _draw_missing(
         if key in drawn:
             continue
         taken = {canonical(record.numbers) for record in drawn.values() if record.exercise == exercise.slug}
-        drawn[key] = draw_record(secret, sheet.name, student.id, exercise, taken)
+        drawn[key] = draw_record(secret(), sheet.name, student.id, exercise, taken)
         fresh.append(drawn[key])
     return fresh
 

@@ -10,7 +10,10 @@ from typing import Any
 import numpy as np
 
 from ..exercises.exercise import Exercise, ExerciseError, references
+from ..exercises.loading import stopped
 from ..exercises.values import pictured
+from ..solutions.errors import KinegradeError
+from .drawn import drawn
 
 ATTEMPTS = 1000
 
@@ -31,18 +34,14 @@ def draw_record(secret: str, sheet: str, student: str, exercise: Exercise, taken
     """The first attempt whose numbers nobody else has; `taken` holds recorded numbers as `canonical` text.
 
     Raises:
-        ExerciseError: a thousand attempts drew nothing new; the exercise has too few variants for the class.
+        ExerciseError: a thousand attempts drew nothing new, as the exercise has too few variants for the class; or
+            what was drawn cannot be solved.
     """
     for attempt in range(ATTEMPTS):
-        numbers = json.loads(json.dumps(exercise.draw(generator(secret, sheet, exercise.slug, student, attempt))))
+        numbers = drawn(exercise, generator(secret, sheet, exercise.slug, student, attempt))
         if canonical(numbers) not in taken:
-            return Record(student, sheet, exercise.slug, attempt, numbers, fingerprint(exercise, numbers))
+            return Record(student, sheet, exercise.slug, attempt, numbers, _solved(student, exercise, numbers))
     raise ExerciseError(f"exercise {exercise.slug}: {ATTEMPTS} draws gave no new numbers; draw from a wider set")
-
-
-def drawn(exercise: Exercise, seed: int) -> dict[str, Any]:
-    """The numbers of one draw as a record has them, after JSON: the same for the same seed, for nobody's sheet."""
-    return json.loads(json.dumps(exercise.draw(np.random.default_rng(seed))))
 
 
 def generator(secret: str, *where: str | int) -> np.random.Generator:
@@ -54,6 +53,18 @@ def generator(secret: str, *where: str | int) -> np.random.Generator:
 def canonical(numbers: Any) -> str:
     """One text for equal numbers, to compare and to hash."""
     return json.dumps(numbers, sort_keys=True, separators=(",", ":"))
+
+
+def _solved(student: str, exercise: Exercise, numbers: dict[str, Any]) -> dict[str, Any]:
+    try:
+        return fingerprint(exercise, numbers)
+    except KinegradeError:
+        raise
+    except Exception as error:
+        raise ExerciseError(
+            f"exercise {exercise.slug} cannot be solved for {student}: it stopped with {stopped(error)}; "
+            f"`kinegrade validate {exercise.slug}` looks at more draws"
+        ) from error
 
 
 def fingerprint(exercise: Exercise, numbers: dict[str, Any]) -> dict[str, Any]:

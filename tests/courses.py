@@ -53,9 +53,17 @@ def make_course(folder, *, exercises=("lever",), students=CLASS, secret=SECRET, 
     (folder / "exercises" / "lever.py").write_text(LEVER, encoding="utf-8")
     listed = ", ".join(f'"{slug}"' for slug in exercises)
     sheet = f'[[sheet]]\nname = "one"\ntitle = "Sheet one"\nmode = "{mode}"\nexercises = [{listed}]\n'
-    (folder / "course.toml").write_text(f'title = "Tests"\nsecret = "{secret}"\n{sheet}{more}', encoding="utf-8")
+    (folder / "course.toml").write_text(f'title = "Tests"\n{sheet}{more}', encoding="utf-8")
+    write_secret(folder, secret)
     enrol(folder, students)
     return folder
+
+
+def write_secret(folder, secret=SECRET, mode=0o600):
+    path = folder / "secret"
+    path.write_text(f"{secret}\n", encoding="utf-8")
+    path.chmod(mode)
+    return path
 
 
 def enrol(folder, students):

@@ -2,6 +2,7 @@
 
 import json
 import re
+import shutil
 
 import numpy as np
 import pytest
@@ -10,9 +11,10 @@ from courses import BUNDLED, handed_out, make_course, notebook
 from kinegrade.course.blanks import answer_code, blank
 from kinegrade.course.check import _told, check_file, read_handout, with_samples
 from kinegrade.course.config import CourseError
+from kinegrade.course.demo import fill_in
 from kinegrade.course.gradebook import Gradebook
 from kinegrade.course.notebook import printed
-from kinegrade.exercises.exercise import Function, references
+from kinegrade.exercises.exercise import ExerciseError, Function, references
 from kinegrade.grader.own_work import Remark
 from kinegrade.grader.verdict import Finding, Verdict, not_graded
 
@@ -272,6 +274,79 @@ def test_an_exercise_that_is_not_installed_is_named(tmp_path):
     about |= {"exercises": ["rtt"]}
     with pytest.raises(CourseError, match="none of its exercises is installed here: rtt"):
         checked(tmp_path, json.dumps(data).encode())
+
+
+@pytest.fixture
+def practice(tmp_path, monkeypatch):
+    """A released practice sheet with the course's own exercise, in a folder of the student's, and the exercise file."""
+    course = handed_out(make_course(tmp_path / "course", mode="practice"))
+    home = tmp_path / "home"
+    home.mkdir()
+    monkeypatch.chdir(home)
+    content = fill_in((course.folder / "released" / "ada" / "one.ipynb").read_bytes(), {"lever_p": "lever_p = [9, 9]"})
+    (home / "one.ipynb").write_bytes(content)
+    return home / "one.ipynb", course.folder / "exercises"
+
+
+def told(found):
+    return [(remark.part, remark.text.partition(":")[0]) for remark in found]
+
+
+LEVER_TOLD = [("lever_p", "incorrect"), ("lever_J", "not answered")]
+
+
+@pytest.mark.parametrize("where", ["beside the notebook", "in this folder", "named"])
+def test_a_courses_own_exercise_is_checked_where_the_student_has_its_file(practice, tmp_path, monkeypatch, where):
+    path, exercises = practice
+    if where == "named":
+        assert told(check_file(path, None, exercises)[1]) == LEVER_TOLD
+        return
+    if where == "in this folder":
+        (tmp_path / "elsewhere").mkdir()
+        monkeypatch.chdir(tmp_path / "elsewhere")
+    shutil.copytree(
+        exercises, (path.parent if where == "beside the notebook" else tmp_path / "elsewhere") / "exercises"
+    )
+    assert told(check_file(path)[1]) == LEVER_TOLD
+
+
+def test_without_the_file_it_says_where_it_looked(practice, tmp_path):
+    path, _ = practice
+    with pytest.raises(CourseError, match=r"none of its exercises is installed here: lever; nor is there a folder"):
+        check_file(path)
+    (path.parent / "exercises").mkdir()
+    with pytest.raises(CourseError, match=r"lever; nor in .*exercises \(--exercises DIR, if you were given"):
+        check_file(path)
+    with pytest.raises(CourseError, match=r"nowhere is no folder; --exercises takes the one with"):
+        check_file(path, None, tmp_path / "nowhere")
+
+
+def test_a_file_of_the_course_that_cannot_be_run_is_named(practice):
+    path, exercises = practice
+    (exercises / "lever.py").write_text("EXERCISE = 1 / 0\n", encoding="utf-8")
+    with pytest.raises(ExerciseError, match=r"lever.py: the exercise file stopped with ZeroDivisionError"):
+        check_file(path, None, exercises)
+
+
+@pytest.mark.parametrize("inside", [False, True])
+def test_an_exercise_file_that_was_handed_in_is_not_run(practice, tmp_path, monkeypatch, inside):
+    path, exercises = practice
+    theirs = tmp_path / "course" / "submitted" / "ada"
+    (theirs / "exercises").mkdir(parents=True)
+    (theirs / "exercises" / "lever.py").write_text("raise RuntimeError('hostile')\nEXERCISE = 1\n", encoding="utf-8")
+    shutil.copy(path, theirs / "one.ipynb")
+    monkeypatch.chdir(theirs if inside else exercises.parent)
+    if inside:
+        with pytest.raises(CourseError, match="none of its exercises is installed here"):
+            check_file(theirs / "one.ipynb")
+    else:  # the course's own file is found in the folder one is in
+        assert told(check_file(theirs / "one.ipynb")[1]) == LEVER_TOLD
+
+
+def test_the_command_takes_a_folder_of_exercises(practice, kinegrade):
+    path, exercises = practice
+    ran = kinegrade("check", path, "--exercises", exercises)
+    assert (ran.code, ran.out.splitlines()[0].split(":")[0].split()) == (1, ["✗", "lever_p", "incorrect"])
 
 
 def test_files_that_cannot_be_read_are_named(tmp_path):

@@ -71,7 +71,8 @@ def test_wrong_usage_ends_with_2(kinegrade, arguments):
 def test_init_prints_the_files_it_wrote(kinegrade, tmp_path):
     ran = kinegrade("init", tmp_path / "new")
     assert ran.code == 0
-    assert ran.out.splitlines() == [str(tmp_path / "new" / name) for name in ("course.toml", "roster.csv")]
+    names = ("roster.csv", ".gitignore", "secret", "course.toml")
+    assert ran.out.splitlines() == [str(tmp_path / "new" / name) for name in names]
     assert "kinegrade generate --course" in ran.err
     assert read_course(tmp_path / "new").students
 
@@ -180,6 +181,39 @@ def test_a_changed_reference_waits_until_it_is_accepted(kinegrade, folder):
     assert accepted.code == 0
     assert grades(folder)["ada"]["points"] != ""
     assert kinegrade("grade", "-c", folder).out == accepted.out
+
+
+def test_an_exception_that_every_submission_meets_is_said_once_with_its_count(kinegrade, folder, monkeypatch):
+    monkeypatch.delenv("KINEGRADE_DEBUG", raising=False)
+    path = folder / "exercises" / "lever.py"
+    text = path.read_text(encoding="utf-8").replace('needs=("lever_p",))', 'needs=("lever_p",), check=judged)')
+    text = text.replace("EXERCISE = ", "def judged(v, given, value):\n    return v['width']\n\n\nEXERCISE = ")
+    path.write_text(text, encoding="utf-8")
+    for student, _ in CLASS:
+        hand_in(read_course(folder), student, right_answers(read_course(folder), student))
+    ran = kinegrade("grade", "-c", folder)
+    said = [line for line in ran.err.splitlines() if "could not be marked" in line]
+    assert ran.code == 0
+    assert said[0].startswith("ERROR: lever_J could not be marked: KeyError: 'width' (line ")
+    assert said[1:] == [f"2 more like it: {said[0]}"]
+    assert "Traceback" not in ran.err
+    monkeypatch.setenv("KINEGRADE_DEBUG", "1")
+    assert kinegrade("grade", "--again", "-c", folder).err.count("Traceback") == 1
+
+
+BROKEN_DRAWS = {
+    "float('x')": "exercise lever: draw stopped with ValueError: could not convert string to float: 'x' (line ",
+    "np.ones(2)": "exercise lever: draw gives what JSON cannot hold: L is a numpy array; write L.tolist()",
+    "'long'": "exercise lever cannot be solved for ada: it stopped with ",
+}
+
+
+@pytest.mark.parametrize("length", BROKEN_DRAWS)
+def test_an_exercise_that_cannot_be_drawn_or_solved_is_one_sentence(kinegrade, tmp_path, length):
+    path = make_course(tmp_path) / "exercises" / "lever.py"
+    text = path.read_text(encoding="utf-8").replace("float(rng.integers(40, 121)) / 100", length)
+    path.write_text(text, encoding="utf-8")
+    assert complaint(kinegrade("generate", "-c", tmp_path)).startswith(BROKEN_DRAWS[length])
 
 
 BAD_COURSES = {
@@ -347,7 +381,7 @@ def failing(error):
 
 
 def test_a_failure_of_ours_says_so_and_is_shown_in_full_only_on_request(kinegrade, tmp_path, monkeypatch):
-    monkeypatch.setattr("kinegrade.course.config.write_course", failing(KeyError("oops")))
+    monkeypatch.setattr("kinegrade.course.new_course.write_course", failing(KeyError("oops")))
     monkeypatch.delenv("KINEGRADE_DEBUG", raising=False)
     ran = kinegrade("init", tmp_path)
     assert ran.code == 1
@@ -360,13 +394,13 @@ def test_a_failure_of_ours_says_so_and_is_shown_in_full_only_on_request(kinegrad
 
 def test_a_full_disk_is_one_sentence(kinegrade, tmp_path, monkeypatch):
     monkeypatch.setattr(
-        "kinegrade.course.config.write_course", failing(OSError(28, "No space left on device", "a.toml"))
+        "kinegrade.course.new_course.write_course", failing(OSError(28, "No space left on device", "a.toml"))
     )
     assert complaint(kinegrade("init", tmp_path)) == "a.toml: No space left on device"
 
 
 def test_a_stopped_run_says_that_it_can_go_on(kinegrade, tmp_path, monkeypatch):
-    monkeypatch.setattr("kinegrade.course.config.write_course", failing(KeyboardInterrupt()))
+    monkeypatch.setattr("kinegrade.course.new_course.write_course", failing(KeyboardInterrupt()))
     ran = kinegrade("init", tmp_path)
     assert ran.code == 130
     assert "what was done is kept, and the same command goes on from there" in ran.err

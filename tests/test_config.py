@@ -2,7 +2,7 @@
 
 import pytest
 from courses import make_course
-from kinegrade.course.config import CourseError, read_course, read_roster, read_settings, write_course
+from kinegrade.course.config import CourseError, read_course, read_roster, read_settings
 
 GOOD = 'title = "T"\nsecret = "0123456789abcdef"\n[[sheet]]\nname = "one"\nexercises = ["rrt"]\n'
 
@@ -19,48 +19,6 @@ def roster(tmp_path, text):
     return list(read_roster(path))
 
 
-def test_a_new_course_is_read_as_it_was_written(tmp_path):
-    write_course(tmp_path / "deep" / "course")
-    course = read_course(tmp_path / "deep" / "course")
-    assert [sheet.name for sheet in course.settings.sheet] == ["jacobian"]
-    assert [student.id for student in course.students] == ["student01", "student02"]
-    assert (course.settings.limits.cell_seconds, course.settings.limits.notebook_seconds) == (5, 60)
-
-
-def test_every_new_course_has_a_secret_of_its_own_and_comments(tmp_path):
-    texts = []
-    for name in ("first", "second"):
-        write_course(tmp_path / name)
-        texts.append((tmp_path / name / "course.toml").read_text(encoding="utf-8"))
-    secrets = [read_course(tmp_path / name).settings.secret for name in ("first", "second")]
-    assert secrets[0] != secrets[1]
-    assert all(len(secret) == 64 for secret in secrets)
-    assert all(text.count("\n#") >= 8 for text in texts)
-
-
-def test_a_course_is_never_overwritten(tmp_path):
-    write_course(tmp_path)
-    before = (tmp_path / "course.toml").read_bytes()
-    with pytest.raises(CourseError, match="already there; init never overwrites"):
-        write_course(tmp_path)
-    assert (tmp_path / "course.toml").read_bytes() == before
-
-
-def test_a_roster_that_is_there_is_kept_by_init(tmp_path):
-    (tmp_path / "roster.csv").write_text("student,name\nada,Ada\n", encoding="utf-8")
-    write_course(tmp_path)
-    assert [student.id for student in read_course(tmp_path).students] == ["ada"]
-
-
-def test_an_init_that_was_killed_before_its_end_can_be_repeated(tmp_path, monkeypatch):
-    monkeypatch.setattr("kinegrade.course.config.write_atomically", lambda *_: 1 / 0)
-    with pytest.raises(ZeroDivisionError):
-        write_course(tmp_path / "course")
-    monkeypatch.undo()
-    write_course(tmp_path / "course")
-    assert read_course(tmp_path / "course").students
-
-
 @pytest.mark.parametrize(
     ("text", "words"),
     [
@@ -69,7 +27,7 @@ def test_an_init_that_was_killed_before_its_end_can_be_repeated(tmp_path, monkey
         (GOOD + 'mod = "exam"\n', ["unknown key 'sheet.1.mod'", "did you mean 'mode'?"]),
         (GOOD + "[limits]\ncell_second = 3\n", ["unknown key 'limits.cell_second'", "did you mean 'cell_seconds'?"]),
         (GOOD + "[[other]]\n", ["unknown key 'other'", "valid here: title"]),
-        (GOOD.replace('secret = "0123456789abcdef"\n', ""), ["the key 'secret' is missing"]),
+        (GOOD.replace('title = "T"\n', ""), ["the key 'title' is missing"]),
         (GOOD.replace('name = "one"\n', ""), ["the key 'sheet.1.name' is missing"]),
         (GOOD + 'mode = "test"\n', ["sheet.1.mode", "'practice', 'graded' or 'exam'", "got 'test'"]),
         (GOOD + "[limits]\ncell_seconds = 0\n", ["limits.cell_seconds", "greater than 0", "got 0"]),

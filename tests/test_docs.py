@@ -7,10 +7,11 @@ import numpy as np
 import pytest
 from answers import raws
 from kinegrade.course.blanks import answer_code
-from kinegrade.course.config import read_course, write_course
+from kinegrade.course.config import read_course
 from kinegrade.course.demo import fill_in
 from kinegrade.course.gradebook import Gradebook
 from kinegrade.course.grading import SheetMarker
+from kinegrade.course.new_course import write_course
 from kinegrade.course.sheets import exercises_of, generate
 from kinegrade.course.validate import validate_file
 from kinegrade.exercises.exercise import references

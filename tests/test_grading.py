@@ -290,6 +290,21 @@ def test_an_edit_that_changes_no_answer_marks_anew_and_waits_for_nobody(folder):
     assert [result.points for result in graded(folder).values()] == [5, 5, 5]
 
 
+def test_a_change_in_a_module_beside_the_exercise_makes_its_marks_stale(folder, monkeypatch):
+    (folder / "exercises" / "arms.py").write_text("share = 1.0\n", encoding="utf-8")
+    edit(folder, "return np.array([-y, x])", "from arms import share\n    return share * np.array([-y, x])")
+    before = graded(folder)
+    real, marked = grading.mark, []
+    monkeypatch.setattr(grading, "mark", lambda e, *rest: marked.append(e.slug) or real(e, *rest))
+    assert graded(folder) == before
+    assert marked == []
+    (folder / "exercises" / "arms.py").write_text("share = 0.5 + 0.5\n", encoding="utf-8")
+    assert graded(folder) == before
+    assert len(marked) == 3
+    (folder / "exercises" / "arms.py").write_text("share = 2.0\n", encoding="utf-8")
+    assert statuses(graded(folder)["ada"]) == ["correct", "not_graded"]  # the answers moved, too
+
+
 def test_an_exercise_that_needs_numbers_it_did_not_draw_waits_and_cannot_be_accepted(folder, caplog):
     edit(folder, 'v["L"] * np', 'v["width"] * np')
     found = graded(folder)

@@ -7,19 +7,16 @@ import shutil
 import subprocess
 import sys
 import zipfile
-from pathlib import Path
 
 import pytest
 from courses import LEVER
+from wheels import ROOT, SOURCES, build, neighbours, run
 
-ROOT = Path(__file__).parents[1]
-SOURCES = ("pyproject.toml", "LICENSE", "README.md", "course", "exercises", "grader", "solutions")
 WHERE = "import kinegrade.course as c, kinegrade, pathlib; print(pathlib.Path(c.__file__).parents[2])"
 
 
 COURSE = """
 title = "Wheel"
-secret = "a secret for tests, long enough"
 [[sheet]]
 name = "one"
 title = "Sheet one"
@@ -66,22 +63,10 @@ def validates_with_pytest(course, options):
     """The plugin is found through its entry point, with nothing in the course but the exercise."""
     (course / "exercises").mkdir()
     (course / "exercises" / "lever.py").write_text(LEVER, encoding="utf-8")
-    (course / "pytest.ini").write_text("[pytest]\nkinegrade_seeds = 3\n", encoding="utf-8")
+    (course / "pytest.ini").write_text("[pytest]\nkinegrade_draws = 3\n", encoding="utf-8")
     command = [sys.executable, "-S", "-m", "pytest", "-q", "-p", "no:cacheprovider"]
     ran = subprocess.run(command, cwd=course, env=options["env"], capture_output=True, text=True, check=False)
     assert "1 passed" in ran.stdout, ran.stdout + ran.stderr
-
-
-def build(folder):
-    """Built from a copy, so that the checkout is left clean and nothing of an earlier build gets in."""
-    source = folder / "source"
-    source.mkdir()
-    for name in SOURCES:
-        copy = shutil.copytree if (ROOT / name).is_dir() else shutil.copy
-        copy(ROOT / name, source / name)
-    run([sys.executable, "-m", "build", "--wheel", "--outdir", folder / "wheel", source], cwd=source)
-    (wheel,) = (folder / "wheel").iterdir()
-    return wheel
 
 
 def holds(wheel):
@@ -104,16 +89,9 @@ def install(wheel, folder):
     Under -S the checkout's editable installation is not looked at; its neighbours come back as plain folders.
     """
     run([sys.executable, "-m", "pip", "install", "--quiet", "--no-deps", "--no-index", "--target", folder, wheel])
-    neighbours = [entry for entry in sys.path if entry.endswith("-packages")]
-    return {**os.environ, "PYTHONPATH": os.pathsep.join([str(folder), *neighbours])}
+    return {**os.environ, "PYTHONPATH": os.pathsep.join([str(folder), *neighbours()])}
 
 
 def kinegrade(*arguments, **options):
     code = "import sys; from kinegrade.course.cli import main; sys.argv[0] = 'kinegrade'; main()"
     return run([sys.executable, "-S", "-c", code, *arguments], **options)
-
-
-def run(command, **options):
-    ran = subprocess.run([str(word) for word in command], capture_output=True, text=True, check=False, **options)
-    assert ran.returncode == 0, ran.stderr
-    return ran.stdout

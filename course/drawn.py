@@ -1,0 +1,97 @@
+"""Drawing one variant of an exercise: plain numbers that JSON keeps, or a sentence about what else `draw` gave."""
+
+import json
+import math
+from collections.abc import Iterator
+from typing import Any, cast
+
+import numpy as np
+
+from ..exercises.exercise import Exercise, ExerciseError
+from ..exercises.loading import stopped
+from ..solutions.errors import KinegradeError
+
+PLAIN = (str, int, float, bool, type(None))
+
+
+def drawn(exercise: Exercise, rng: np.random.Generator) -> dict[str, Any]:
+    """What `draw` gives, after it went through JSON.
+
+    Raises:
+        ExerciseError: `draw` stopped, or gave what JSON cannot hold; the sentence says what to write instead.
+    """
+    return _through_json(exercise, _draw(exercise, rng))
+
+
+def prove_drawn(exercise: Exercise, seed: int, numbers: dict[str, Any]) -> None:
+    """Holds what was drawn with a seed against a second draw with it.
+
+    Raises:
+        ExerciseError: JSON changed something, or an equal generator gives other numbers.
+    """
+    given = _draw(exercise, np.random.default_rng(seed))
+    again = _through_json(exercise, given)
+    if again != given:
+        hint = next(_changed("", given), "write numbers, text, lists and dicts with text as keys")
+        raise ExerciseError(f"exercise {exercise.slug}: the drawn numbers change on their way through JSON: {hint}")
+    if again != numbers:
+        raise ExerciseError(
+            f"exercise {exercise.slug}: draw gives other numbers from an equal generator; take every random number "
+            "from the rng that it is called with, none from np.random or random"
+        )
+
+
+def _draw(exercise: Exercise, rng: np.random.Generator) -> dict[str, Any]:
+    try:
+        given: Any = exercise.draw(rng)
+    except KinegradeError as error:
+        raise ExerciseError(f"exercise {exercise.slug}: draw: {error}") from error
+    except Exception as error:
+        raise ExerciseError(f"exercise {exercise.slug}: draw stopped with {stopped(error)}") from error
+    if not isinstance(given, dict):
+        raise ExerciseError(
+            f'exercise {exercise.slug}: draw takes a dict of names and numbers, such as {{"a": 0.5}}, '
+            f"got {type(given).__name__}"
+        )
+    return cast("dict[str, Any]", given)
+
+
+def _through_json(exercise: Exercise, given: dict[str, Any]) -> dict[str, Any]:
+    try:
+        return json.loads(json.dumps(given))
+    except (TypeError, ValueError, RecursionError) as error:
+        why = next(_unplain("", given), str(error))
+        raise ExerciseError(f"exercise {exercise.slug}: draw gives what JSON cannot hold: {why}") from error
+
+
+def _unplain(place: str, value: Any) -> Iterator[str]:
+    """What is no plain number, text, list or dict, and what to write for it."""
+    if isinstance(value, dict):
+        for name, inner in cast("dict[Any, Any]", value).items():
+            yield from _unplain(f"{place}[{name!r}]" if place else str(name), inner)
+    elif isinstance(value, list | tuple):
+        for i, inner in enumerate(cast("list[Any]", value)):
+            yield from _unplain(f"{place}[{i}]", inner)
+    elif isinstance(value, np.ndarray):
+        yield f"{place} is a numpy array; write {place}.tolist()"
+    elif isinstance(value, np.generic) and not isinstance(value, PLAIN):
+        scalar = cast("Any", value)
+        yield f"{place} is a numpy {type(scalar).__name__}; write {type(scalar.item()).__name__}({place})"
+    elif not isinstance(value, PLAIN):
+        yield f"{place} is of type {type(value).__name__}; write numbers, text, lists and dicts"
+
+
+def _changed(place: str, value: Any) -> Iterator[str]:
+    """What JSON gives back otherwise, and what to write for it."""
+    if isinstance(value, dict):
+        for name, inner in cast("dict[Any, Any]", value).items():
+            if not isinstance(name, str):
+                yield f"{place or 'the dict'} has the key {name!r}; write text for it"
+            yield from _changed(f"{place}[{name!r}]" if place else str(name), inner)
+    elif isinstance(value, tuple):
+        yield f"{place} is a tuple; write a list"
+    elif isinstance(value, list):
+        for i, inner in enumerate(cast("list[Any]", value)):
+            yield from _changed(f"{place}[{i}]", inner)
+    elif isinstance(value, float) and math.isnan(value):
+        yield f"{place} is not a number"
