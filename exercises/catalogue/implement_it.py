@@ -38,7 +38,8 @@ serial arm.
   angular rows.
 
 It is called for arms that you do not see: planar ones, arms with prismatic joints, arms with six and with seven
-revolute joints; each of these four groups is worth the same. Numpy is there as `np`; results are compared to six digits.
+revolute joints; each of these four groups is worth the same. Numpy is there as `np`; results are compared to six
+digits.
 
 The tables `dh_1, dh_2, dh_3` and the joint variables `joints_1, joints_2, joints_3` of your numbers are three arms to
 try it with: robot 1 `RRR`, robot 2 `RRP`, robot 3 `RPRRRR`. If you work **without Python** and hand in a file of
