@@ -16,6 +16,7 @@ from ..grader.own_work import Remark, remarks
 from ..grader.unreadable import entries_named
 from ..grader.verdict import STATUS_WORDS, Verdict
 from ..grader.wire import Raw
+from ..solutions.errors import KinegradeError
 from .config import CourseError, Mode
 from .notebook import KEY
 from .submissions import read_submission
@@ -52,7 +53,7 @@ def check_file(path: Path, sheet: Path | None = None) -> tuple[Handout, list[Rem
     for exercise in exercises:
         try:
             found += _remarks(handout.mode, exercise, numbers[exercise.slug], raws)
-        except (LookupError, TypeError, ValueError, ArithmeticError) as error:
+        except (KinegradeError, LookupError, TypeError, ValueError, ArithmeticError) as error:
             raise CourseError(f"{path}: the numbers of {exercise.slug} in this sheet are damaged: {error!r}") from error
     return handout, found
 
