@@ -17,6 +17,7 @@ from ..grader.own_work import Remark, remarks
 from ..grader.unreadable import entries_named
 from ..grader.verdict import STATUS_WORDS, Verdict
 from ..grader.wire import Raw
+from ..solutions.errors import KinegradeError
 from .config import CourseError, Mode
 from .drawn import drawn
 from .notebook import KEY
@@ -64,7 +65,7 @@ def check_file(path: Path, sheet: Path | None = None, exercises: Path | None = N
     for exercise in known:
         try:
             found += _remarks(handout.mode, exercise, numbers[exercise.slug], raws)
-        except (LookupError, TypeError, ValueError, ArithmeticError) as error:
+        except (KinegradeError, LookupError, TypeError, ValueError, ArithmeticError) as error:
             raise CourseError(f"{path}: the numbers of {exercise.slug} in this sheet are damaged: {error!r}") from error
     return handout, found
 

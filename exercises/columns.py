@@ -122,6 +122,7 @@ REVERSED = "The order of the cross product is reversed, which changes its sign: 
 TURNING = "A prismatic column looks as if its joint were revolute; look again at the types of the joints."
 TURNING_SLIDE = "Angular rows of a prismatic column: how fast does the tool turn while that joint slides?"
 TOOL_AXES = "This is the Jacobian in the axes of the tool frame; base axes are asked."
+ANGULAR_FIRST = "The angular rows stand above the linear ones; the linear rows are asked on top."
 
 SLIPS: tuple[Slip, ...] = (
     Slip(LATE, late),

@@ -5,11 +5,14 @@ from collections.abc import Callable, Sequence
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..solutions.expression_array import POINTS, ExpressionArray, sample
+from ..solutions.expression_array import POINTS, ExpressionArray, same_formulas, sample
 from .exercise import Outcome
 
 Array = NDArray[np.float64]
 TURN = 2 * np.pi
+MULTIPLE = (
+    "It is the determinant times a constant: it is zero in the right postures, but the determinant itself is asked."
+)
 LARGEST_ANGLE = 1e4  # beyond it, whole turns can no longer be taken off without rounding
 
 
@@ -70,6 +73,13 @@ def proportional(value: ExpressionArray, reference: ExpressionArray, names: Sequ
         return False
     factor = float(own @ wanted) / float(wanted @ wanted)
     return abs(factor) > 1e-9 and bool((np.abs(own - factor * wanted) <= 1e-8 * np.abs(own).max()).all())
+
+
+def named_multiple(value: ExpressionArray, determinant: ExpressionArray, names: Sequence[str]) -> Outcome | None:
+    """Names a determinant that lacks a constant factor; right and wrong stay with the comparison."""
+    if same_formulas(value, determinant, names).all() or not proportional(value, determinant, names):
+        return None
+    return Outcome(finding=MULTIPLE)
 
 
 def listed(

@@ -89,6 +89,19 @@ class Expression:
                 results.append(operation(*(results[i] for i in content)))
         return results[-1]
 
+    def put(self, values: Mapping[str, "Expression"]) -> "Expression":
+        """The formula with other formulas in place of names; a name without one stays."""
+        nodes = list[Node]()
+        places = list[int]()  # of the results of the formula's own nodes
+        for node in self.nodes:
+            if node[0] == "s" and node[1] in values:
+                inside, start = values[node[1]].nodes, len(nodes)
+                nodes += [_moved(inner, range(start, start + len(inside))) for inner in inside]
+            else:
+                nodes.append(_moved(node, places))
+            places.append(len(nodes) - 1)
+        return Expression(tuple(nodes))
+
     def __str__(self) -> str:
         """Text that parses back to the same value."""
         printed = list[tuple[str, int]]()
@@ -276,6 +289,13 @@ def _is_leaf(node: Node) -> bool:
     if node[0] == "n":
         return isinstance(node[1], float) and math.isfinite(node[1])
     return node[0] == "s" and isinstance(node[1], str) and node[1].isidentifier()
+
+
+def _moved(node: Node, places: Sequence[int]) -> Node:
+    """A node whose arguments have gone to other places."""
+    if node[0] in ("n", "s"):
+        return node
+    return (node[0], *(places[int(i)] for i in node[1:]))
 
 
 def _printed_leaf(node: Node) -> tuple[str, int]:

@@ -8,15 +8,10 @@ import numpy as np
 import pytest
 from answers import EXERCISES, right_raws, variant_of
 from kinegrade.course.notebook import printed
-from kinegrade.exercises.catalogue.find_the_mistake import (
-    FORMS,
-    KINDS,
-    SLIPS,
-    right_columns,
-    robot,
-    slip_of,
-    transforms,
-)
+from kinegrade.exercises.arm import arm_of
+from kinegrade.exercises.catalogue.find_the_mistake import FORMS, KINDS, OPTIONS, SLIPS, robot
+from kinegrade.exercises.catalogue.find_the_mistake import slip_of as slip_of_arm
+from kinegrade.exercises.columns import right
 from kinegrade.exercises.exercise import references
 from kinegrade.grader.mark import mark
 from kinegrade.grader.wire import Raw
@@ -24,6 +19,14 @@ from kinegrade.solutions.jacobian import jacobian
 
 EXERCISE = EXERCISES["find_the_mistake"]
 SEEDS = range(40)
+
+
+def transforms(v):
+    return arm_of(robot(v["form"]), v).frames
+
+
+def slip_of(v):
+    return slip_of_arm(arm_of(robot(v["form"]), v), np.array(v["W"]))
 
 
 def variant_with(slip):
@@ -42,7 +45,7 @@ def frames_from_the_text(v):
     values |= {f"{name[0]}_{name[1]}": v[name] for name in EXERCISE.units if isinstance(v.get(name), float)}
     values |= {f"q_{i}": x for i, x in enumerate(v["q"], 1)}
     T = [np.eye(4)]
-    for row in re.findall(r"\| \d \| \$(.*?)\$ \| \$(.*?)\$ \| \$(.*?)\$ \| \$(.*?)\$ \|", EXERCISE.statement(v)):
+    for row in re.findall(r"\| \$\d\$ \| \$(.*?)\$ \| \$(.*?)\$ \| \$(.*?)\$ \| \$(.*?)\$ \|", EXERCISE.statement(v)):
         theta, d, a, alpha = (values[cell] for cell in row)
         c, s, ca, sa = np.cos(theta), np.sin(theta), np.cos(alpha), np.sin(alpha)
         T.append(T[-1] @ [[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d], [0, 0, 0, 1]])
@@ -92,7 +95,7 @@ def only_lengths(v):
 def test_no_two_mistakes_look_alike(seed):
     v = variant_of("find_the_mistake", seed)
     T = transforms(v)
-    matrices = [right_columns(T, KINDS), *(slip.of(T, KINDS) for slip in SLIPS)]
+    matrices = [right(T, KINDS), *(slip.columns(T, KINDS) for slip in SLIPS)]
     assert min(np.abs(a - b).max() for a, b in combinations(matrices, 2)) >= 0.05
 
 
@@ -112,7 +115,7 @@ def test_the_students_file_does_not_hold_the_name_of_the_mistake():
 def test_naming_alone_earns_at_most_thirty_percent():
     name, repair = EXERCISE.parts
     assert name.points <= 0.3 * EXERCISE.points
-    assert len(name.answer.options) >= 5
+    assert len(name.answer.options) == len(OPTIONS) == len(SLIPS) >= 5
     assert repair.points == EXERCISE.points - name.points
 
 
@@ -142,6 +145,6 @@ def test_only_columns_that_were_wrong_carry_points_and_broken_ones_cost(slip):
 @pytest.mark.parametrize("slip", range(len(SLIPS)))
 def test_another_mistake_in_the_repair_is_named(slip):
     v = variant_with((slip + 1) % len(SLIPS))
-    found = verdicts(v, SLIPS[slip].of(transforms(v), KINDS))[1]
+    found = verdicts(v, SLIPS[slip].columns(transforms(v), KINDS))[1]
     assert found.status != "correct"
-    assert SLIPS[slip].plain in found.reading
+    assert SLIPS[slip].sentence in found.reading

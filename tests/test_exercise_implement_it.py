@@ -8,7 +8,8 @@ from answers import EXERCISES, right_raws, variant_of
 from kinegrade.course.blanks import answer_code
 from kinegrade.course.notebook import given_cell, printed
 from kinegrade.course.submissions import Submission
-from kinegrade.exercises.catalogue.implement_it import GROUPS, PUBLISHED, jacobian, published
+from kinegrade.exercises.catalogue.implement_it import GROUPS, PUBLISHED, published
+from kinegrade.exercises.catalogue.implement_it import reference as jacobian
 from kinegrade.exercises.exercise import references
 from kinegrade.grader.ask import Limits
 from kinegrade.grader.handed_in import handed_in

@@ -2,20 +2,21 @@
 
 import numpy as np
 import pytest
-from answers import EXERCISES, right_raws, variant_of
-from kinegrade.exercises.catalogue.rrt_arm import FORMS, LENGTHS, robot
-from kinegrade.exercises.catalogue.rrt_formulas import (
-    EasierError,
-    determinant_of,
-    jacobian_of_table,
-    put_in,
-    singular_conditions,
-)
+from answers import EXERCISES, part_of, right_raws, variant_of
+from kinegrade.course.notebook import worked_steps
+from kinegrade.exercises.catalogue.rrt import FORMS, LENGTHS, robot
 from kinegrade.exercises.exercise import references
+from kinegrade.exercises.own_formulas import (
+    EasierError,
+    closed_determinant,
+    closed_factors,
+    determinant_of,
+    factors_of,
+    jacobian_of_table,
+)
 from kinegrade.grader.mark import mark
 from kinegrade.grader.read import read
 from kinegrade.grader.wire import Raw
-from kinegrade.solutions.expression import parse
 from kinegrade.solutions.expression_array import expression_array
 from kinegrade.solutions.jacobian import jacobian
 from kinegrade.solutions.table import read_table
@@ -25,7 +26,7 @@ NAMES = (*LENGTHS, "q1", "q2", "q3")
 SIZES = {"d1": 0.6, "a1": 0.3, "d2": 0.2, "l3": 0.25}
 
 
-def variant(*offsets, alpha1=-90):
+def variant(*offsets, alpha1="-pi/2"):
     """The form with these offsets, at plain lengths."""
     sizes = {name: SIZES[name] for name in ("d1", *offsets)}
     return {"form": FORMS.index((alpha1, offsets)), **sizes, "q": [0.7, -0.9, 0.8]}
@@ -46,17 +47,18 @@ def test_formulas_come_to_the_numbers_of_the_chain_at_any_posture(form):
         formulas = jacobian_of_table(arm.table, arm)
         np.testing.assert_allclose(formulas.at(values), J, atol=1e-12)
         np.testing.assert_allclose(determinant_of(formulas, arm).at(values), np.linalg.det(J[:3]), atol=1e-12)
+        np.testing.assert_allclose(closed_determinant(arm).at(values), np.linalg.det(J[:3]), atol=1e-12)
 
 
 @pytest.mark.parametrize("form", range(len(FORMS)))
 def test_the_linear_block_is_singular_where_a_condition_holds(form):
     arm = robot(form)
     sizes = {name: SIZES[name] for name in arm.parameters}
-    way, reach = (parse(text, arm.names) for text in singular_conditions(arm))
+    way, reach = closed_factors(arm)
     q3 = -sizes.get("l3", 0.0)
     assert way.at({**sizes, "q3": q3}) == 0
     assert abs(np.linalg.det(jacobian(arm.chain(sizes), [0.4, 0.9, q3])[:3])) < 1e-12
-    sense = 1 if FORMS[form][0] > 0 else -1
+    sense = 1 if FORMS[form][0] == "pi/2" else -1
     q2 = np.arcsin(sense * sizes.get("a1", 0.0) / (0.9 + sizes.get("l3", 0.0)))
     assert abs(reach.at({**sizes, "q2": q2, "q3": 0.9})) < 1e-12
     assert abs(np.linalg.det(jacobian(arm.chain(sizes), [0.4, q2, 0.9])[:3])) < 1e-12
@@ -79,7 +81,7 @@ def test_the_linear_block_is_singular_where_a_condition_holds(form):
         (variant("a1"), ["q3 = 0", "sin(q2) = -a1/q3"], 3),
         (variant("a1"), ["q3 = 0", "a1 - q3*sin(q2) = 0"], 0),
         (variant("a1"), ["q3 = 0", "sin(q2) = 0"], 0),
-        (variant("a1", alpha1=90), ["q3 = 0", "a1 - q3*sin(q2) = 0"], 3),
+        (variant("a1", alpha1="pi/2"), ["q3 = 0", "a1 - q3*sin(q2) = 0"], 3),
     ],
 )
 def test_conditions_earn_what_they_cover(v, conditions, points):
@@ -142,10 +144,27 @@ def test_nothing_follows_from_a_table_that_leaves_nothing_to_find_out():
         determinant_of(expression_array([["1", "0", "0"], ["0", "1", "0"], ["0", "0", "1"]] * 2, NAMES), arm)
 
 
-def test_formulas_are_put_in_place_of_names():
-    whole = put_in(parse("x*(y - x)", ("x", "y")), {"x": parse("a + b", ("a", "b")), "y": parse("2*a", ("a",))})
-    assert whole.names == {"a", "b"}
-    assert whole.at({"a": 3.0, "b": 4.0}) == 7 * (6 - 7)
+def test_what_follows_from_the_right_answers_is_printed_as_a_product():
+    arm = robot(FORMS.index(("-pi/2", ("a1", "l3"))))
+    product = determinant_of(jacobian_of_table(arm.table, arm), arm)
+    assert product is closed_determinant(arm)
+    assert [str(factor) for factor in factors_of(product, arm)] == ["l3 + q3", "a1 + (l3 + q3)*sin(q2)"]
+    other = expression_array("q3*a1", arm.names)
+    assert factors_of(other, arm) == other.entries
+
+
+@pytest.mark.parametrize(
+    ("offsets", "said"),
+    [
+        ((), "in the second it lies on axis 1, which then cannot move it"),
+        (("a1", "l3"), "in the second it lies on axis 1, which then cannot move it"),
+        (("a1", "d2"), "in the second it lies beside axis 1"),
+    ],
+)
+def test_the_solution_says_where_the_hand_is_in_a_singular_posture(offsets, said):
+    v = variant(*offsets)
+    part = part_of(RRT, "rrt_singular")
+    assert said in " ".join(worked_steps(part, v, references(RRT, v)))
 
 
 def test_the_home_pose_is_told_apart_from_a_q2_taken_from_the_horizontal():
@@ -153,5 +172,5 @@ def test_the_home_pose_is_told_apart_from_a_q2_taken_from_the_horizontal():
     for name in ("det", "singular"):
         part = next(part for part in RRT.parts if part.variable == f"rrt_{name}")
         value = part.mistakes[0].solve(v, references(RRT, v))
-        text = value.text() if name == "det" else [f"{x} = 0" for x in value]
+        text = str(value) if name == "det" else [f"{x} = 0" for x in value]
         assert any("home pose" in finding.text for finding in verdicts(v, **{name: text})[name].findings)

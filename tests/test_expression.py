@@ -276,6 +276,22 @@ def test_nodes_that_are_no_tree_in_post_order_are_refused(nodes: Any):
         Expression(nodes)
 
 
+def test_other_formulas_stand_in_place_of_names():
+    values = {"q1": parse("a1 + q2", NAMES), "l2": parse("2*q1", NAMES)}
+    whole = parse("l2*sin(q1 - l2) + a1", NAMES).put(values)
+    assert whole == parse("2*q1*sin((a1 + q2) - 2*q1) + a1", NAMES)
+    assert whole.names == {"q1", "a1", "q2"}
+
+
+@given(formulas(), formulas())
+@settings(max_examples=100, deadline=None)
+def test_a_formula_in_place_of_a_name_has_the_value_of_its_own_value_there(outer: str, inner: str):
+    whole, inside = read(outer), read(inner)
+    if whole is not None and inside is not None:
+        put = whole.put({"q1": inside})
+        np.testing.assert_equal(put.at(VALUES), whole.at({**VALUES, "q1": inside.at(VALUES)}))
+
+
 def test_sympy_gets_exact_numbers_and_real_symbols():
     import sympy as sp
 

@@ -26,7 +26,7 @@ def test_a_right_sheet_fits_itself(exercise):
 def test_a_jacobian_that_does_not_follow_from_the_own_transforms_is_told():
     found = told("rrt", {"rrt_J": np.ones((6, 3))})
     assert not found["rrt_J"].ok
-    assert "does not follow from your own rrt_T" in found["rrt_J"].text
+    assert "does not follow from your own rrt_dh and rrt_T" in found["rrt_J"].text
 
 
 def test_a_wrong_but_consistent_sheet_is_not_given_away():
