@@ -1,20 +1,18 @@
 """The square block of the task: its determinant, where it is singular, and its ellipsoid."""
 
-from functools import lru_cache
-
 import numpy as np
 
-from ...solutions.determinant import determinant as factored
 from ...solutions.ellipsoids import velocity_ellipsoid
-from ...solutions.expression import Expression, parse
-from ...solutions.expression_array import ExpressionArray, expression_array, same_formulas
+from ...solutions.expression import Expression
+from ...solutions.expression_array import ExpressionArray
 from ...solutions.robot import Robot
 from ...solutions.singularity import manipulability as product_of_values
 from ..answers import Conditions, Formulas, Numbers
 from ..arm import Arm, Array
 from ..exercise import ExerciseError, Outcome
+from ..own_formulas import closed_determinant, closed_factors
 from ..part import Ready, Setting
-from ..properties import parallel, proportional
+from ..properties import named_multiple, parallel
 from ..question import Question
 from ..twists import VELOCITIES, Chosen, jacobian_units, listed, rows_on_sheet
 from .frames import filled
@@ -74,9 +72,6 @@ MANIPULABILITY = r"""The manipulability $w = \sqrt{\det(\mathbf J \mathbf J^T)}$
 The product of the singular values:
 $$w = <@name@>$$
 """
-CONSTANT = (
-    "It is the determinant times a constant: it is zero in the right postures, but the determinant itself is asked."
-)
 SLOWEST = "This is the direction in which the tool is slowest, and strongest."
 SQUARES = "These are the squares: eigenvalues of J J^T. The half axes are their roots."
 INVERSES = "These are the half axes of the force ellipsoid, the inverses; those of the velocity ellipsoid are asked."
@@ -84,18 +79,6 @@ SQUARE = "This is det(J J^T), the square; the root is missing."
 
 
 DIRECTION = 0.01  # [rad]
-
-
-@lru_cache(maxsize=128)
-def product(robot: Robot) -> ExpressionArray:
-    """The determinant of a robot's task block as a product."""
-    return expression_array(factored(robot).expression, robot.names)
-
-
-@lru_cache(maxsize=128)
-def factors(robot: Robot) -> tuple[Expression, ...]:
-    """The factors of that determinant that hold a joint."""
-    return tuple(parse(str(factor), robot.names) for _, factor, _ in factored(robot).factors)
 
 
 def determinant(*, name: str = "det", points: float = 2) -> Ready:
@@ -106,14 +89,14 @@ def determinant(*, name: str = "det", points: float = 2) -> Ready:
         _check_names(setting, "determinant")
         rows = rows_on_sheet("task", setting.rows, robot.task_rows)
         text = filled(DETERMINANT, rows=listed(VELOCITIES, rows), name=name)
-        return Question(_determinant, name, points, Formulas((), robot.names), check=named_multiple, docstring=text)
+        return Question(_determinant, name, points, Formulas((), robot.names), check=_named, docstring=text)
 
     return ready
 
 
 def _check_names(setting: Setting, what: str) -> None:
     """Formulas are in names of the sheet: a length that is not drawn has none there."""
-    missing = sorted(product(setting.robot).names - {*setting.robot.joints, *setting.arm.lengths})
+    missing = sorted(closed_determinant(setting.robot).names - {*setting.robot.joints, *setting.arm.lengths})
     if missing:
         raise ExerciseError(
             f"{what} takes an arm whose lengths are drawn, since it asks for formulas in their names; "
@@ -122,7 +105,7 @@ def _check_names(setting: Setting, what: str) -> None:
 
 
 def _determinant(arm: Arm) -> ExpressionArray:
-    return product(arm.robot)
+    return closed_determinant(arm.robot)
 
 
 def manipulability_formula(*, name: str = "w", points: float = 2) -> Ready:
@@ -139,15 +122,11 @@ def manipulability_formula(*, name: str = "w", points: float = 2) -> Ready:
 
 
 def _size(arm: Arm) -> str:
-    return f"abs({product(arm.robot).text()})"
+    return f"abs({closed_determinant(arm.robot).text()})"
 
 
-def named_multiple(arm: Arm, value: ExpressionArray) -> Outcome | None:
-    """Names a determinant that lacks a constant factor; right and wrong stay with the comparison."""
-    wanted, names = product(arm.robot), arm.robot.names
-    if same_formulas(value, wanted, names).all() or not proportional(value, wanted, names):
-        return None
-    return Outcome(finding=CONSTANT)
+def _named(arm: Arm, value: ExpressionArray) -> Outcome | None:
+    return named_multiple(value, closed_determinant(arm.robot), arm.robot.names)
 
 
 def singular(*, name: str = "singular", points: float = 3) -> Ready:
@@ -160,14 +139,14 @@ def singular(*, name: str = "singular", points: float = 3) -> Ready:
         limits = limits_of(robot)
         text = filled(SINGULAR, rows=listed(VELOCITIES, rows), limits=_said(limits, robot.kinds), name=name)
         answer = Conditions(robot.names, lambda _: limits)
-        shows = {"product": lambda arm: product(arm.robot)}
+        shows = {"product": lambda arm: closed_determinant(arm.robot)}
         return Question(_factors, name, points, answer, shows=shows, docstring=text)
 
     return ready
 
 
 def _factors(arm: Arm) -> tuple[Expression, ...]:
-    return factors(arm.robot)
+    return closed_factors(arm.robot)
 
 
 def limits_of(robot: Robot) -> dict[str, tuple[float, float]]:
