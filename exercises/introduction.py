@@ -16,9 +16,13 @@ AXIS = {"standard": r"\mathbf z_{i-1}", "modified": r"\mathbf z_i"}
 
 def introduction(arm: Arm) -> str:
     """Joint types, the table or the transforms with numbers for lengths that were not drawn, and the ends."""
-    joints = ", ".join(f"joint {i} {WORDS[kind]}" for i, kind in enumerate(arm.kinds, 1))
     described = _transforms(arm.robot) if arm.robot.convention == "frames" else _table(arm)
-    return "\n\n".join([f"{arm.robot.title} ({joints}).", described, _ends(arm.robot)])
+    return "\n\n".join([f"{arm.robot.title} ({joint_types(arm.kinds)}).", described, _ends(arm.robot)])
+
+
+def joint_types(kinds: str) -> str:
+    """Joint types such as "RRP" in words."""
+    return ", ".join(f"joint {i} {WORDS[kind]}" for i, kind in enumerate(kinds, 1))
 
 
 def drawn_arm(arm: Arm) -> Drawing:

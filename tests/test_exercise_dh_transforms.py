@@ -137,9 +137,13 @@ def test_degrees_of_the_table_taken_for_radians_are_named_and_followed(columns, 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_degrees_in_the_formulas_are_named(seed):
     v = variant_of("dh_transforms", seed)
-    right = references(EXERCISE, v)["dh_transforms_first"].text()
-    quarter = {-90: "- pi/2", 90: "+ pi/2", 180: "+ pi"}[v["offset"][0]]
-    wrong = [[cell.replace(f"q1 {quarter}", f"q1 {v['offset'][0]:+d}") for cell in row] for row in right]
+    c, s, turn = f"cos(q1 {v['offset'][0]:+d})", f"sin(q1 {v['offset'][0]:+d})", v["alpha"][0] // 90
+    wrong = [
+        [c, "0", f"{turn}*{s}", f"a1*{c}"],
+        [s, "0", f"{-turn}*{c}", f"a1*{s}"],
+        ["0", str(turn), "0", "d1"],
+        ["0", "0", "0", "1"],
+    ]
     verdict = verdicts_of(v, {"dh_transforms_first": wrong})["dh_transforms_first"]
     assert "column of theta, printed in degrees" in verdict.findings[0].text
 
