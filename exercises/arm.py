@@ -120,9 +120,10 @@ def arm_of(robot: Robot, v: Variant, names: tuple[str, ...] | None = None) -> Ar
     return _kept(robot, lengths, tuple(float(x) for x in v["q"]))
 
 
-def units_of(robot: Robot) -> dict[str, str | list[str]]:
-    """Units of a robot's lengths and of q."""
-    return {**dict.fromkeys(robot.parameters, "m"), "q": [UNIT[kind] for kind in robot.kinds]}
+def units_of(robot: Robot, names: tuple[str, ...] | None = None) -> dict[str, str | list[str]]:
+    """Units of a robot's lengths, or of `names` alone, and of q."""
+    lengths = robot.parameters if names is None else names
+    return {**dict.fromkeys(lengths, "m"), "q": [UNIT[kind] for kind in robot.kinds]}
 
 
 @lru_cache(maxsize=256)
