@@ -8,8 +8,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..solutions.expression import Expression, parse
 from ..solutions.jacobian import jacobian
 from ..solutions.robot import Robot
+from ..solutions.singularity import factor_values
 from .answers import Variant
 from .drawing import Dimension, Drawing, Triad, point
 
@@ -78,6 +80,16 @@ class Arm:
     def J(self) -> Array:
         """The Jacobian (6, n) in base axes at the tool point, linear rows above angular."""
         return jacobian(self.chain, self.q)
+
+    @property
+    def determinant(self) -> Expression:
+        """The determinant of the robot's task block in closed form."""
+        return parse(self.robot.determinant, self.robot.names)
+
+    @property
+    def factors(self) -> Array:
+        """Values of the factors of det J, in the robot's order."""
+        return np.array([*factor_values(self.robot, self.lengths, self.q).values()])
 
     @property
     def closed(self) -> "ClosedForm":

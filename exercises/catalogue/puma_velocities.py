@@ -9,19 +9,16 @@ from typing import Any
 
 import numpy as np
 
-from ...solutions.robots import ROBOTS
 from ...solutions.singularity import sigma_min
 from ..answers import Numbers
 from ..arm import Arm, Array, arm_of
 from ..columns import LATE, TOOL_AXES, late, tool_axes
-from ..drawing import Drawing
 from ..draws import angles, rates, until
 from ..exercise import Outcome
 from ..part import exercise, part
-from ..printed_table import printed_table, table_rows
 from ..readings import LINEAR, TRANSPOSED, WHOLE, Speed, judged_rates, rates_for
+from .puma_arm import PUMA, REACH, TABLE, drawn
 
-ROBOT = ROBOTS["puma560"]
 REGULAR = 0.1  # smallest singular value of J in a drawn posture: rates stay moderate and rounding harmless
 NEAR_SINGULAR = (0.02, 0.06)  # the same where the wrist is nearly straight
 LARGE = 3.0  # the largest rate there is at least [rad/s]
@@ -46,9 +43,7 @@ FAMILIES = {
 
 
 def statement(wording: str, family: str) -> str:
-    return rf"""The Puma 560 has six revolute joints. Its table in the **standard** Denavit–Hartenberg convention (metres):
-
-{printed_table(table_rows(ROBOT, ROBOT.parameters))}
+    return f"""{TABLE}
 
 The tool frame is frame 6. All velocities are those of its origin and are expressed in the base frame 0.
 {FAMILIES[family]}
@@ -62,7 +57,7 @@ def draw(rng: np.random.Generator) -> dict[str, Any]:
     # Where only the linear velocity is prescribed the wrist stands still, and rates are never large.
     wording = HELD if family == "near wrist-singular" else str(rng.choice([*WORDINGS]))
     speed = round(float(rng.integers(20, 81)) / 100, 2)
-    q = until(lambda: posture(rng, family), lambda q: belongs(arm_of(ROBOT, {"q": q}), family, speed))
+    q = until(lambda: posture(rng, family), lambda q: belongs(arm_of(PUMA, {"q": q}), family, speed))
     return {"q": q, "qdot_b": rates(rng, 6), "vx_c": speed, "wording": wording, "family": family}
 
 
@@ -184,14 +179,6 @@ def qdot(J: Array, vx_c: float, wording: str) -> Array:
     return rates_for(J, wish.twist(vx_c), wish.rows)
 
 
-def drawings(arm: Arm) -> Drawing:
-    return arm.drawing(
-        "Puma 560 at your q, with frame 0 and the tool frame.",
-        "Puma 560 arm with six revolute joints, drawn at your q.",
-        arrows=False,
-    )
-
-
 EXERCISE = exercise(
     "puma_velocities",
     title="Velocities of the Puma 560",
@@ -201,14 +188,14 @@ EXERCISE = exercise(
         "Compute the Jacobian of a six-axis robot from its table.",
         "Turn joint rates into a twist, and a prescribed twist into joint rates.",
     ),
-    robot=ROBOT,
+    robot=PUMA,
     sizes=(),
     units={"qdot_b": ["rad/s"] * 6, "vx_c": "m/s"},
     symbols={"qdot_b": r"\dot{\mathbf{q}}_b", "vx_c": "v_{x,c}"},
     structure=("wording", "family"),
-    scale=ROBOT.parameters["a2"] + ROBOT.parameters["d4"],
+    scale=REACH,
     draw=draw,
     statement=statement,
-    drawings=drawings,
+    drawings=drawn,
     parts=(J, twist, qdot),
 )
