@@ -8,8 +8,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..solutions.expression import Expression, parse
 from ..solutions.jacobian import jacobian
 from ..solutions.robot import Robot
+from ..solutions.singularity import factor_values
 from .answers import Variant
 from .drawing import Dimension, Drawing, Triad, point
 
@@ -80,6 +82,16 @@ class Arm:
         return jacobian(self.chain, self.q)
 
     @property
+    def determinant(self) -> Expression:
+        """The determinant of the robot's task block in closed form."""
+        return parse(self.robot.determinant, self.robot.names)
+
+    @property
+    def factors(self) -> Array:
+        """Values of the factors of det J, in the robot's order."""
+        return np.array([*factor_values(self.robot, self.lengths, self.q).values()])
+
+    @property
     def closed(self) -> "ClosedForm":
         """Frames and Jacobian in closed form."""
         return self.robot.symbolic()
@@ -121,9 +133,10 @@ def arm_of(robot: Robot, v: Variant, names: tuple[str, ...] | None = None) -> Ar
     return _kept(robot, lengths, tuple(float(x) for x in v["q"]))
 
 
-def units_of(robot: Robot) -> dict[str, str | list[str]]:
-    """Units of a robot's lengths and of q."""
-    return {**dict.fromkeys(robot.parameters, "m"), "q": [UNIT[kind] for kind in robot.kinds]}
+def units_of(robot: Robot, names: tuple[str, ...] | None = None) -> dict[str, str | list[str]]:
+    """Units of a robot's lengths, or of `names` alone, and of q."""
+    lengths = robot.parameters if names is None else names
+    return {**dict.fromkeys(lengths, "m"), "q": [UNIT[kind] for kind in robot.kinds]}
 
 
 @lru_cache(maxsize=256)

@@ -120,7 +120,7 @@ def exercise(
     Raises:
         ExerciseError: a name stands for nothing, or the file breaks the contract otherwise.
     """
-    known_units = {**(units_of(robot) if isinstance(robot, Robot) else {}), **(units or {})}
+    known_units = {**_units_of_robot(robot, sizes, (*hidden, *structure)), **(units or {})}
     drawn = frozenset((*known_units, *hidden, *structure))
     names = Names(slug, drawn, _arm(robot, Names(slug, drawn, None), sizes))
     questions = _questions(parts, names, draw, rows)
@@ -144,6 +144,15 @@ def exercise(
         robot=robot_map,
         **about,
     )
+
+
+def _units_of_robot(
+    robot: RobotOf | None, sizes: tuple[str, ...] | None, unprinted: Sequence[str]
+) -> dict[str, str | list[str]]:
+    """Units of q and of the lengths, for a robot that is known when the file loads, but for what is not printed."""
+    if not isinstance(robot, Robot):
+        return {}
+    return {name: unit for name, unit in units_of(robot, sizes).items() if name not in unprinted}
 
 
 def _arm(robot: RobotOf | None, names: Names, sizes: tuple[str, ...] | None) -> Callable[[Variant], Arm] | None:

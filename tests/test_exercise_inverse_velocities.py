@@ -60,6 +60,15 @@ def test_the_reason_is_the_vanishing_factor(seed):
     assert references(EXERCISE, v)["inverse_velocities_reason"] == "abc"[zero.index(True)]
 
 
+def test_one_reason_alone_is_right():
+    """Where the Puma's elbow is folded, the shoulder's factor is half a millimetre as well (seeds 6, 9, 19, 31)."""
+    for seed in range(40):
+        _, q2, q3, _, q5, _ = variant_of("inverse_velocities", seed)["q"]
+        elbow = A3 * np.sin(q3) + D4 * np.cos(q3)
+        shoulder = A2 * np.cos(q2) + A3 * np.cos(q2 + q3) - D4 * np.sin(q2 + q3)
+        assert np.sort(np.abs([np.sin(q5), elbow, shoulder]))[1] >= 0.04
+
+
 def test_all_reasons_are_drawn_and_both_kinds_of_twists():
     drawn = [references(EXERCISE, variant_of("inverse_velocities", seed)) for seed in range(40)]
     assert {answers["inverse_velocities_reason"] for answers in drawn} == set("abc")

@@ -120,3 +120,18 @@ def test_later_parts_follow_from_an_own_wrong_matrix():
     J, xi = np.array(v["J"]), np.array(v["xi"])
     found = verdicts(v, pinv=J.T, least=J.T @ xi)
     assert [found[name].points for name in ("pinv", "least")] == [0, 1]
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_the_identity_that_j_has_is_told_once(seed):
+    v = variant_of("pseudoinverse", seed)
+    _, sides, *_ = EXERCISE.parts
+    told = " ".join(step.text for step in sides.explain(v, references(EXERCISE, v)))
+    assert told.count("projection of rank 6") == 1
+    assert told.count(" is a)") == 1
+    assert (r"$\mathbf J$ itself" in told) == (len(v["columns"]) == 7)
+
+
+def test_the_posture_is_not_printed():
+    assert set(EXERCISE.units) == {"J", "xi", "k"}
+    assert set(EXERCISE.structure) == {"q", "columns"}

@@ -5,6 +5,7 @@ import re
 import numpy as np
 import pytest
 from answers import EXERCISES, right_raws, variant_of
+from kinegrade.exercises.arm import arm_of
 from kinegrade.exercises.catalogue.puma_velocities import ALONE, FAMILIES, FREE, HELD, WORDINGS, elbow_height
 from kinegrade.exercises.exercise import references
 from kinegrade.grader.mark import mark
@@ -29,6 +30,10 @@ IN_TOOL_AXES = {
 
 def of_s3(wording):
     return {**S3, "wording": wording, "family": "near wrist-singular"}
+
+
+def arm_at(q):
+    return arm_of(ROBOTS["puma560"], {"q": q})
 
 
 def verdict(v, rates, J=None):
@@ -69,12 +74,12 @@ def test_a_posture_belongs_to_its_family(seed):
         assert largest < 6
         assert "large" not in EXERCISE.statement(v)
     if v["family"].startswith("elbow"):
-        assert elbow_height(v["q"]) * (1 if v["family"] == "elbow up" else -1) >= 0.1
+        assert elbow_height(arm_at(v["q"])) * (1 if v["family"] == "elbow up" else -1) >= 0.1
 
 
 def test_the_elbow_of_a_raised_arm_is_up_and_of_a_hanging_one_down():
-    assert elbow_height([0.3, np.pi / 4, -np.pi / 2 - 0.5, 0, 0, 0]) > 0.1
-    assert elbow_height([0.3, -np.pi / 4, np.pi / 2 - 1.0, 0, 0, 0]) < -0.1
+    assert elbow_height(arm_at([0.3, np.pi / 4, -np.pi / 2 - 0.5, 0, 0, 0])) > 0.1
+    assert elbow_height(arm_at([0.3, -np.pi / 4, np.pi / 2 - 1.0, 0, 0, 0])) < -0.1
 
 
 @pytest.mark.parametrize("seed", SEEDS)
@@ -82,7 +87,7 @@ def test_the_sheet_alone_is_enough(seed):
     """The table, q and the wording are read off the printed text; J comes from differences."""
     v = variant_of("puma_velocities", seed)
     said = EXERCISE.statement(v)
-    rows = re.findall(r"\| \d \| \$q_\d\$ \| \$(.*?)\$ \| \$(.*?)\$ \| \$(.*?)\$ \|", said)
+    rows = re.findall(r"\| \$\d\$ \| \$q_\d\$ \| \$(.*?)\$ \| \$(.*?)\$ \| \$(.*?)\$ \|", said)
     table = [(float(d), float(a), {r"\pi/2": np.pi / 2, r"-\pi/2": -np.pi / 2, "0": 0.0}[turn]) for d, a, turn in rows]
 
     def pose(q):
@@ -151,7 +156,7 @@ def test_rates_that_meet_one_component_alone_are_met_by_chance_and_earn_nothing(
 def test_rates_from_a_jacobian_at_four_decimals_are_right_even_close_to_the_singularity(seed):
     v = variant_of("puma_velocities", seed)
     J = np.round(references(EXERCISE, v)["puma_velocities_J"], 4)
-    rows = WORDINGS[v["wording"]].rows
+    rows = len(WORDINGS[v["wording"]].rows)
     rates = np.linalg.pinv(J[:rows]) @ np.eye(6)[0, :rows] * v["vx_c"]
     assert verdict(v, np.round(rates, 4), J).status == "correct"
     assert verdict(v, np.round(rates, 4)).status == "correct"
@@ -161,3 +166,16 @@ def test_rates_that_miss_the_twist_are_wrong_however_large_the_right_ones_are():
     v = of_s3(HELD)
     assert verdict(v, np.array(OF_S3[HELD]) * 1.05).status != "correct"
     assert verdict(v, np.add(OF_S3[HELD], [0, 0, 0, 0.5, 0, 0])).status != "correct"
+
+
+def test_what_is_drawn_is_printed_or_a_choice_of_form_that_can_be_pinned():
+    assert list(EXERCISE.units) == ["q", "qdot_b", "vx_c"]
+    assert EXERCISE.structure == ("wording", "family")
+
+
+def test_one_row_of_the_jacobian_is_no_matrix_and_a_speed_no_vector():
+    v = next(v for v in (variant_of("puma_velocities", seed) for seed in SEEDS) if v["wording"] == ALONE)
+    way = next(iter(EXERCISE.parts[-1].explain(v, references(EXERCISE, v)))).text
+    assert r"\mathbf J_x^{+} v_{x,c}" in way
+    assert r"\mathbf J_v" not in way
+    assert r"\mathbf v" not in way
