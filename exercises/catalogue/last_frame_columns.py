@@ -13,7 +13,6 @@ from ...solutions.jacobian import last_frame_columns
 from ...solutions.robots import ROBOTS
 from ..answers import Numbers
 from ..arm import Arm, Array, arm_of
-from ..drawing import Drawing
 from ..draws import angles, length, until
 from ..part import exercise, part
 from ..printed_table import printed_table, table_rows
@@ -215,16 +214,8 @@ entries of the last column in metres:
 - TB is $\mathbf T_{{{second - 1}}}^{{6}}$, for **column B**, which is column {second} of $\mathbf J^{{6}}$."""
 
 
-def drawings(arm: Arm) -> Drawing:
-    """The arm with its first and last frame."""
-    return arm.drawing(
-        "Your arm at your q, with frame 0 and frame 6.",
-        "Articulated arm with six revolute joints, drawn at your q with its base frame and its hand frame.",
-        tool="6",
-        arrows=False,
-    )
-
-
+CAPTION = "Your arm at your q, with frame 0 and frame 6."
+ALT = "Articulated arm with six revolute joints, drawn at your q with its base frame and its hand frame."
 EXERCISE = exercise(
     "last_frame_columns",
     title="The Jacobian in the last frame",
@@ -240,6 +231,6 @@ EXERCISE = exercise(
     structure=("columns",),
     draw=draw,
     statement=statement,
-    drawings=drawings,
+    drawings=lambda arm: arm.drawing(CAPTION, ALT, tool="6", arrows=False),
     parts=(printed, T, on_paper(0), on_paper(1), J, base),
 )
