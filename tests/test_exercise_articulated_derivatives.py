@@ -5,7 +5,7 @@ import json
 import numpy as np
 import pytest
 from answers import EXERCISES, right_raws, variant_of
-from kinegrade.exercises.catalogue.articulated_arm import (
+from kinegrade.exercises.arms.articulated import (
     LENGTHS,
     NAMES,
     PRINTED,

@@ -11,9 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...solutions.expression_array import ExpressionArray, expression_array, same_formulas
-from ..draws import angles, length, until
-from ..exercise import Choice, Exercise, Formulas, Given, Mistake, Numbers, Outcome, Part, Step, Variant
-from .articulated_arm import (
+from ..arms.articulated import (
     LENGTHS,
     MOUNTED,
     NAMES,
@@ -25,6 +23,8 @@ from .articulated_arm import (
     row,
     structure_of,
 )
+from ..draws import angles, length, until
+from ..exercise import Choice, Exercise, Formulas, Given, Mistake, Numbers, Outcome, Part, Step, Variant
 
 Array = NDArray[np.float64]
 ROWS = tuple(f"articulated_derivatives_{x}" for x in "xyz")

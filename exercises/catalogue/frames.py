@@ -12,11 +12,11 @@ import numpy as np
 from ...solutions.jacobian import at_point
 from ..answers import LETTERS
 from ..arm import Arm, Array, arm_of
+from ..arms.rrpr import DEGREES, LENGTHS, LEVEL, SENSES, UNITS, described, drawn, in_degrees, level, posture, robot
 from ..columns import LATE, TOOL_AXES, TURNING_SLIDE, all_turning, late, tool_axes, turning_slide
 from ..draws import length, rates, until
 from ..exercise import Choice, Numbers, Variant
 from ..part import exercise, part
-from ..rrpr import DEGREES, LENGTHS, LEVEL, SENSES, UNITS, described, drawn, in_degrees, level, posture, robot
 
 APART = 0.05  # between the largest components of the twists that are to be told apart
 JACOBIAN = Numbers((6, 4), [["m/rad", "m/rad", "1", "m/rad"]] * 3 + [["1"] * 4] * 3)

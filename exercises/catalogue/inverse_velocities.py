@@ -13,13 +13,13 @@ from ...solutions.ellipsoids import velocity_ellipsoid
 from ...solutions.singularity import rank, singular_values
 from ..answers import LETTERS, Choice, Configurations, Numbers
 from ..arm import Arm, Array, arm_of
+from ..arms.puma import PUMA, REACH, TABLE, drawn
 from ..columns import TOOL_AXES, tool_axes
 from ..draws import angles, length, rates, until
 from ..exercise import Outcome
 from ..lost import ANGLE, ZERO, judged_lost, left_over, lost_direction, still_rates, weakest
 from ..part import exercise, part
 from ..properties import list_share, listed, parallel
-from .puma_arm import PUMA, REACH, TABLE, drawn
 
 REGULAR = 0.05  # what the other singular values are at least, of the largest
 CLEAR = 0.04  # of a second factor from zero: where the elbow is folded, the wrist centre is near axis 2 as well

@@ -13,13 +13,13 @@ import numpy as np
 from ...solutions.expression_array import ExpressionArray, expression_array, same_formulas, sampled
 from ..answers import Formulas, Numbers, Variant
 from ..arm import Arm, Array
+from ..arms import planar as arms
+from ..arms.planar import FORMS, NAMES, misread
 from ..columns import columns
 from ..drawing import Drawing
 from ..exercise import ExerciseError, Outcome
 from ..part import exercise, part
 from ..printed_table import cell_latex
-from . import planar_forms as arms
-from .planar_forms import FORMS, NAMES, misread
 
 UP = np.array([0.0, 0.0, 1.0])
 NEAR = 2e-3  # how far rounded numbers may be from a known mistake that is followed or paid less

@@ -12,12 +12,12 @@ import numpy as np
 from ...solutions.singularity import sigma_min
 from ..answers import Numbers
 from ..arm import Arm, Array, arm_of
+from ..arms.puma import PUMA, REACH, TABLE, drawn
 from ..columns import LATE, TOOL_AXES, late, tool_axes
 from ..draws import angles, rates, until
 from ..exercise import Outcome
 from ..part import exercise, part
 from ..readings import LINEAR, TRANSPOSED, WHOLE, Speed, judged_rates, rates_for
-from .puma_arm import PUMA, REACH, TABLE, drawn
 
 REGULAR = 0.1  # smallest singular value of J in a drawn posture: rates stay moderate and rounding harmless
 NEAR_SINGULAR = (0.02, 0.06)  # the same where the wrist is nearly straight

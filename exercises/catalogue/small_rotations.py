@@ -11,12 +11,12 @@ from numpy.typing import ArrayLike
 
 from ..answers import LETTERS
 from ..arm import Arm, Array, arm_of
+from ..arms.rrpr import LENGTHS, SENSES, UNITS, described, drawn, posture, robot
 from ..columns import LATE, late, right
 from ..draws import length, until
 from ..exercise import Choice, Numbers, Outcome, Variant
 from ..part import exercise, part
 from ..properties import turned
-from ..rrpr import LENGTHS, SENSES, UNITS, described, drawn, posture, robot
 
 DIVISORS = (2, 4, 10)
 FACTORS = (2, 4, 8, 10, 16, 64, 100, 1000)  # the divisors, their squares and cubes

@@ -6,11 +6,11 @@ from itertools import product
 
 import numpy as np
 
-from ..solutions.robot import Robot
-from .arm import Arm, units_of
-from .drawing import Drawing
-from .draws import angles, length
-from .printed_table import printed_table, table_rows
+from ...solutions.robot import Robot
+from ..arm import Arm, units_of
+from ..drawing import Drawing
+from ..draws import angles, length
+from ..printed_table import printed_table, table_rows
 
 SENSES = tuple(product(("", "-"), repeat=4))  # of alpha1, alpha2, theta3, alpha3
 LENGTHS = ("d1", "a2", "a4")

@@ -1,0 +1,1 @@
+"""Arms that exercises show: how they are drawn, described and misread."""
