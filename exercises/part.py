@@ -124,6 +124,7 @@ def exercise(
     drawn = frozenset((*known_units, *hidden, *structure))
     names = Names(slug, drawn, _arm(robot, Names(slug, drawn, None), sizes))
     questions = _questions(parts, names, draw, rows)
+    _check_names(slug, questions, known_units)
     if statement is None and any(isinstance(question.answer, TableOf) for question in questions):
         statement, drawings = off_the_drawing, drawings or home_and_now  # a printed table would be the answer
     if robot_map is None and isinstance(robot, Robot) and ROBOTS.get(robot.name) is robot:
@@ -183,14 +184,19 @@ def _questions(
     return questions
 
 
+def _check_names(slug: str, questions: Sequence[Question], printed: Mapping[str, Any]) -> None:
+    """A part and a printed number of one name would be one variable in the student's notebook."""
+    for question in questions:
+        if question.name in printed or question.name in ("v", "arm", "value"):
+            raise ExerciseError(
+                f"exercise {slug}: a part cannot be called {question.name}, which is something else's name here"
+            )
+
+
 def _placed(questions: Sequence[Question], names: Names) -> list[Part]:
     placed: list[Part] = []
     earlier: list[str] = []
     for question in questions:
-        if question.name in names.drawn or question.name in ("v", "arm", "value"):
-            raise ExerciseError(
-                f"exercise {names.slug}: a part cannot be called {question.name}, which is something else's name here"
-            )
         placed.append(put_on_sheet(question, names, earlier))
         earlier.append(question.name)
     return placed

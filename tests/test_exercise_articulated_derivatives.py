@@ -5,15 +5,9 @@ import json
 import numpy as np
 import pytest
 from answers import EXERCISES, right_raws, variant_of
-from kinegrade.exercises.arms.articulated import (
-    LENGTHS,
-    NAMES,
-    PRINTED,
-    STRUCTURES,
-    derivatives,
-    position,
-    row,
-)
+from kinegrade.exercises.arm import arm_of
+from kinegrade.exercises.arms.articulated import LENGTHS, NAMES, S1, STRUCTURES, drawn, in_letters, robot
+from kinegrade.exercises.catalogue.articulated_derivatives import derivatives
 from kinegrade.exercises.exercise import references
 from kinegrade.grader.mark import mark
 from kinegrade.grader.wire import Raw
@@ -47,6 +41,10 @@ def chain_of(v):
     return Robot("arm", "arm", lengths, rows, ((-3, 3),) * 6, "S1", base=BASES[mounting]).chain(lengths)
 
 
+def position_of(structure):
+    return robot(structure).symbolic().T[:3, 3].tolist()
+
+
 def values(v):
     return {**{name: v[name] for name in LENGTHS}, **{f"q{i}": x for i, x in enumerate(v["q"], 1)}}
 
@@ -60,29 +58,30 @@ def marked(v, **answers):
 def test_position_and_derivatives_are_those_of_an_arm_that_can_be_built(structure):
     v = {**variant_of("articulated_derivatives"), "structure": structure}
     chain, at = chain_of(v), values(v)
-    p = [parse(text, NAMES).at(at) for text in position(v)]
+    p = [parse(str(*entry), NAMES).at(at) for entry in position_of(structure)]
     np.testing.assert_allclose(p, forward(chain, v["q"])[:3, 3], atol=1e-12)
-    rows = [row(v, i).at(at) for i in range(3)]
+    rows = [derivatives(robot(structure), i).at(at) for i in range(3)]
     np.testing.assert_allclose(rows, jacobian(chain, v["q"])[:3], atol=1e-12)
 
 
 def test_the_printed_position_says_what_the_formulas_say():
     v = variant_of("articulated_derivatives", 1)
-    for latex, formula in zip(position(v, latex=True), position(v), strict=True):
+    for formula in position_of(v["structure"]):
+        latex = in_letters(*formula)
         text = latex.replace(r"\,", "*").replace("{", "").replace("}", "").replace("_", "").replace("1(", "1*(")
         for letter, name in (("S", "sin"), ("C", "cos")):
             for digits, angle in (("234", "q2+q3+q4"), ("23", "q2+q3"), ("2", "q2"), ("1", "q1")):
                 text = text.replace(letter + digits, f"{name}({angle})")
-        assert parse(text, NAMES).at(values(v)) == pytest.approx(parse(formula, NAMES).at(values(v)))
+        assert parse(text, NAMES).at(values(v)) == pytest.approx(parse(str(*formula), NAMES).at(values(v)))
         assert latex in ARM.statement(v)
 
 
 @pytest.mark.parametrize("structure", range(len(STRUCTURES)))
 def test_no_column_of_joints_1_to_4_is_the_one_in_s1(structure):
-    v = {**variant_of("articulated_derivatives"), "structure": structure}
     for i in range(3):
-        same = same_formulas(row(v, i), derivatives(PRINTED[i], shoulder=False), NAMES)
-        zero = [not entry.names for entry in row(v, i).entries]
+        own = derivatives(robot(structure), i)
+        same = same_formulas(own, derivatives(S1, i), NAMES)
+        zero = [not entry.names for entry in own.entries]
         assert [bool(agrees) and not nothing for agrees, nothing in zip(same, zero, strict=True)] == [False] * 6
 
 
@@ -146,3 +145,15 @@ def test_columns_5_and_6_of_the_point_q_are_as_the_right_letter_says():
         assert tuple(bool(np.linalg.norm(column) < 1e-9) for column in J.T) == zero[letter]
         assert ("beside that axis" in ARM.statement(v)) == (letter == "e")
     assert seen == {"b", "c", "e"}
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_the_figure_shows_the_arm_as_it_is_mounted(seed):
+    v = variant_of("articulated_derivatives", seed)
+    (drawing,) = ARM.drawings(v)
+    T = forward(drawing.chain, drawing.q)
+    np.testing.assert_allclose(T, forward(chain_of(v), v["q"]), atol=1e-12)
+    np.testing.assert_allclose(drawing.triads[-1].pose, T, atol=1e-12)
+    arm = arm_of(robot(v["structure"]), v)
+    for line in drawn(arm).dimensions:
+        assert np.linalg.norm(np.subtract(line.end, line.start)) == pytest.approx(v[line.name])
