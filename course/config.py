@@ -4,7 +4,7 @@ import csv
 import io
 import re
 import tomllib
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from difflib import get_close_matches
 from pathlib import Path
@@ -36,7 +36,8 @@ class _Strict(BaseModel):
 class Sheet(_Strict):
     """One hand-out: its exercises in order, and what a check may tell before the deadline.
 
-    With `matlab`, students get a script to start from beside the notebook.
+    With `matlab`, students get a script to start from beside the notebook. `pinned` holds, by exercise, the choices of
+    form that all students shall have alike, so that points mean the same for everybody.
     """
 
     name: Name
@@ -44,6 +45,7 @@ class Sheet(_Strict):
     mode: Mode = "graded"
     matlab: bool = False
     exercises: Annotated[tuple[str, ...], Field(min_length=1)]
+    pinned: Mapping[str, Mapping[str, Any]] = {}
 
 
 class LimitsTable(_Strict):
@@ -89,7 +91,7 @@ class Course:
         for name in names:
             if name not in known:
                 raise CourseError(
-                    f"there is no sheet {name!r}{_nearest(name, known)}; course.toml has: {', '.join(known)}"
+                    f"there is no sheet {name!r}{nearest(name, known)}; course.toml has: {', '.join(known)}"
                 )
         return tuple(known[name] for name in names) or self.settings.sheet
 
@@ -132,7 +134,7 @@ def _sentence(error: Any) -> str:
     where = ".".join(str(step + 1) if isinstance(step, int) else str(step) for step in error["loc"])
     if error["type"] == "extra_forbidden":
         keys = _valid_keys(error["loc"][:-1])
-        return f"unknown key {where!r}{_nearest(str(error['loc'][-1]), keys)}; valid here: {', '.join(keys)}"
+        return f"unknown key {where!r}{nearest(str(error['loc'][-1]), keys)}; valid here: {', '.join(keys)}"
     if error["type"] == "missing":
         return f"the key {where!r} is missing"
     return f"{where}: {error['msg'][:1].lower()}{error['msg'][1:]}, got {_shown(error['loc'], error['input'])}"
@@ -147,7 +149,8 @@ def _valid_keys(where: tuple[Any, ...]) -> list[str]:
     return list(table.model_fields)
 
 
-def _nearest(name: str, known: Iterable[str]) -> str:
+def nearest(name: str, known: Iterable[str]) -> str:
+    """A question that names the nearest valid name, or nothing."""
     near = get_close_matches(name, [*known], 1)
     return f" (did you mean {near[0]!r}?)" if near else ""
 

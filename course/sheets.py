@@ -1,6 +1,6 @@
 """Handing out: draw what is not drawn yet, write what is not written yet, never touch what is released."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -8,7 +8,7 @@ from pathlib import Path
 from ..exercises.catalogue import exercise_files, find
 from ..exercises.exercise import Exercise
 from .check import read_handout
-from .config import Course, CourseError, Sheet, Student
+from .config import Course, CourseError, Sheet, Student, nearest
 from .files import write_atomically
 from .gradebook import Gradebook
 from .notebook import notebooks, printed
@@ -41,7 +41,22 @@ def exercises_of(course: Course, sheet: Sheet) -> list[Exercise]:
     for name in names:
         if names.count(name) > 1:
             raise CourseError(f"sheet {sheet.name}: {name} is asked twice; answers are collected by name")
+    _check_pins(sheet, {exercise.slug: exercise for exercise in exercises})
     return exercises
+
+
+def _check_pins(sheet: Sheet, exercises: Mapping[str, Exercise]) -> None:
+    """Refuses to pin what is no choice of form of an exercise on the sheet."""
+    for slug, pins in sheet.pinned.items():
+        if slug not in exercises:
+            raise CourseError(f"sheet {sheet.name} pins {slug!r}{nearest(slug, exercises)}, which is not on the sheet")
+        structure = exercises[slug].structure
+        for name in pins:
+            if name not in structure:
+                raise CourseError(
+                    f"sheet {sheet.name} pins {name!r} of {slug}{nearest(name, structure)}; its choices of form are: "
+                    f"{', '.join(structure) or 'none'}"
+                )
 
 
 def generate(
@@ -81,7 +96,7 @@ def _draw_missing(
         if key in drawn:
             continue
         taken = {canonical(record.numbers) for record in drawn.values() if record.exercise == exercise.slug}
-        drawn[key] = draw_record(secret(), sheet.name, student.id, exercise, taken)
+        drawn[key] = draw_record(secret(), sheet.name, student.id, exercise, taken, sheet.pinned.get(exercise.slug))
         fresh.append(drawn[key])
     return fresh
 

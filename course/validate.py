@@ -1,5 +1,6 @@
 """Validating exercise files: draws of each are looked at, side by side where that is worth it."""
 
+import json
 import math
 import os
 import time
@@ -22,6 +23,7 @@ KINDS = ("solve", "full marks", "nonsense", "mistakes", "printable", "render", "
 TRIED = 4  # draws after which it is known how long the others take
 WORTH = 3.0  # seconds of work that is worth starting processes for
 CHUNK = 20  # draws that one process looks at in one go
+ENOUGH = 10  # draws in which everything that some variants have should be seen
 MOST_ALIKE = 0.05  # share of draws that may repeat an earlier one
 
 
@@ -35,6 +37,7 @@ class Validation:
     draws: int
     seconds_to_draw: float
     failures: tuple[Failure, ...]
+    named: tuple[str, ...] = ()
 
 
 def chosen(names: Sequence[str], folder: Path) -> list[Path]:
@@ -118,6 +121,18 @@ def _cores() -> int:
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
+def _never_drawn(named: Sequence[str], texts: Sequence[str]) -> list[Failure]:
+    """Names that the exercise says are drawn, and no draw has; a few draws are no proof."""
+    if len(texts) < ENOUGH:
+        return []
+    missing = {*named}.difference(*map(json.loads, texts))
+    if not missing:
+        return []
+    listed = ", ".join(sorted(missing))
+    sentence = f"no draw has {listed}, though units, hidden or structure name it; is it misspelt there or in draw?"
+    return [Failure("variants", 0, "", sentence)]
+
+
 def _chunks(seeds: range, size: int) -> list[range]:
     step = max(1, min(size, CHUNK))
     return [seeds[start : start + step] for start in range(0, len(seeds), step)]
@@ -143,6 +158,7 @@ def _together(results: "Sequence[_Looked]") -> Validation:
     if alike > max(1, MOST_ALIKE * len(texts)):
         sentence = f"{alike} of {len(texts)} draws repeat an earlier one; draw from wider sets"
         failures.append(Failure("variants", 0, "", sentence))
+    failures += _never_drawn(first.named, texts)
     seconds = max(validation.seconds_to_draw for validation, _ in results)
     draws = sum(validation.draws for validation, _ in results)
     return replace(first, draws=draws, seconds_to_draw=seconds, failures=tuple(failures))
@@ -170,5 +186,7 @@ def _look_at(path: Path, seeds: Sequence[int]) -> _Looked:
             failures += failures_of(exercise, v, seed)
         except Exception as error:  # noqa: BLE001 - an exercise file may fail in any way; that is the finding
             failures.append(Failure("solve", seed, "", because(error)))
-    validation = Validation(exercise.slug, len(exercise.asked), exercise.points, len(seeds), seconds, tuple(failures))
+    validation = Validation(
+        exercise.slug, len(exercise.asked), exercise.points, len(seeds), seconds, tuple(failures), exercise.named
+    )
     return validation, texts

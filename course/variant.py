@@ -3,7 +3,7 @@
 import hashlib
 import hmac
 import json
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -30,17 +30,36 @@ class Record:
     answers: dict[str, Any]
 
 
-def draw_record(secret: str, sheet: str, student: str, exercise: Exercise, taken: Collection[str]) -> Record:
-    """The first attempt whose numbers nobody else has; `taken` holds recorded numbers as `canonical` text.
+def draw_record(
+    secret: str,
+    sheet: str,
+    student: str,
+    exercise: Exercise,
+    taken: Collection[str],
+    pinned: Mapping[str, Any] | None = None,
+) -> Record:
+    """The first attempt with the `pinned` choices of form whose numbers nobody else has.
+
+    `taken` holds recorded numbers as `canonical` text.
 
     Raises:
-        ExerciseError: a thousand attempts drew nothing new, as the exercise has too few variants for the class; or
-            what was drawn cannot be solved.
+        ExerciseError: a thousand attempts drew nothing new, as the exercise has too few variants for the class; or none
+            had what is pinned; or what was drawn cannot be solved.
     """
+    seen: dict[str, set[str]] = {}
+    fitting = 0
     for attempt in range(ATTEMPTS):
         numbers = drawn(exercise, generator(secret, sheet, exercise.slug, student, attempt))
+        for name in pinned or {}:
+            seen.setdefault(name, set()).add(repr(numbers.get(name)))
+        if any(numbers.get(name) != value for name, value in (pinned or {}).items()):
+            continue
+        fitting += 1
         if canonical(numbers) not in taken:
             return Record(student, sheet, exercise.slug, attempt, numbers, _solved(student, exercise, numbers))
+    if not fitting:
+        gave = "; ".join(f"{name} was {', '.join(sorted(values))}" for name, values in seen.items())
+        raise ExerciseError(f"sheet {sheet}: {ATTEMPTS} draws of {exercise.slug} never gave what is pinned: {gave}")
     raise ExerciseError(f"exercise {exercise.slug}: {ATTEMPTS} draws gave no new numbers; draw from a wider set")
 
 

@@ -135,7 +135,8 @@ class Exercise:
     `structure` names drawn choices of form, which are neither printed nor secret and can be pinned for a whole class.
     `symbols` are the LaTeX of printed names that are more than letters and an index.
     `scale(v)` is a typical length [m] that linear tolerances are measured against. `rows` is the order of the rows of
-    every Jacobian and twist. `robot` names a robot of the catalogue whose map stands in the report.
+    every Jacobian and twist. `named` are the names of which every one is drawn for some student. `robot` names a robot
+    of the catalogue whose map stands in the report.
     """
 
     slug: str
@@ -154,6 +155,7 @@ class Exercise:
     robot: str | None = None
     drawings: Callable[[Variant], tuple[Drawing, ...]] = field(default=lambda _: ())
     rows: Rows = "linear, angular"
+    named: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         """Refuse what could not be collected, marked or printed.

@@ -142,6 +142,7 @@ def exercise(
         structure=structure,
         drawings=_drawings(names, drawings, standard=statement is None),
         rows=rows,
+        named=(*(units or {}), *hidden, *structure),
         robot=robot_map,
         **about,
     )

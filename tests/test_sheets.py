@@ -214,3 +214,27 @@ def test_an_exercise_of_the_course_replaces_ours_of_the_same_name(tmp_path):
     (tmp_path / "exercises" / "rrt.py").write_text(LEVER.replace("lever", "rrt"), encoding="utf-8")
     course = handed_out(tmp_path)
     assert {tuple(record.answers) for record in records(course)} == {("rrt_p", "rrt_J")}
+
+
+@pytest.mark.parametrize(
+    ("pins", "match"),
+    [
+        ("pinned.puma_velocity.wording = 'x'", r"pins .puma_velocity. \(did you mean .puma_velocities.\?\)"),
+        ("pinned.puma_velocities.wordin = 'x'", r"pins 'wordin' of puma_velocities \(did you mean 'wording'\?\)"),
+        ("pinned.puma_velocities.q = [1]", "its choices of form are: wording, family"),
+    ],
+)
+def test_only_choices_of_form_of_the_sheet_are_pinned(tmp_path, pins, match):
+    make_course(tmp_path, exercises=("puma_velocities",), more=f"\n{pins}\n")
+    course = read_course(tmp_path)
+    with pytest.raises(CourseError, match=match):
+        exercises_of(course, course.settings.sheet[0])
+
+
+def test_a_sheet_with_a_pin_gives_all_students_that_form(tmp_path):
+    wording = "only vx prescribed, least norm"
+    pin = f"\npinned.puma_velocities.wording = '{wording}'\n"
+    handed_out(make_course(tmp_path, exercises=("puma_velocities",), more=pin))
+    with Gradebook(tmp_path / "gradebook.sqlite") as gradebook:
+        records = gradebook.records("one")
+    assert {record.numbers["wording"] for record in records} == {wording}

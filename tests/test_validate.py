@@ -242,3 +242,30 @@ def test_an_unknown_exercise_is_named(tmp_path, kinegrade):
 
 def test_a_file_may_be_named_wherever_it_lies(tmp_path, kinegrade):
     assert kinegrade("validate", lever_file(tmp_path), "--seeds", 2).code == 0
+
+
+def test_a_name_that_no_draw_has_is_told(tmp_path):
+    path = tmp_path / "named.py"
+    path.write_text(
+        '''"""A name in units that is never drawn."""
+from kinegrade.exercises import questions as ask
+from kinegrade.exercises.draws import posture
+from kinegrade.exercises.part import exercise
+from kinegrade.solutions.robots import ROBOTS
+
+ARM = ROBOTS["planar_2r"]
+EXERCISE = exercise(
+    "named",
+    title="T",
+    source="S",
+    robot=ARM,
+    draw=lambda rng: posture(ARM, rng),
+    units={"qdto": ["rad/s"] * 2},
+    parts=[ask.jacobian(rows="task")],
+)
+''',
+        encoding="utf-8",
+    )
+    (failure,) = validate_file(path, 12).failures
+    assert (failure.kind, failure.sentence.split(",")[0]) == ("variants", "no draw has qdto")
+    assert validate_file(path, 3).failures == ()

@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from answers import EXERCISES, variant_of, wrong
-from courses import SECRET, lever
+from courses import SECRET, exercise_of, lever
 from kinegrade.course.variant import (
     Record,
     canonical,
@@ -181,3 +181,20 @@ def test_a_digest_is_short_and_tells_bytes_apart():
 
 def test_a_record_is_data():
     assert Record("ada", "one", "rrt", 0, {}, {}) == Record("ada", "one", "rrt", 0, {}, {})
+
+
+def test_a_pinned_choice_of_form_is_the_same_for_the_whole_class(tmp_path):
+    exercise = EXERCISES["puma_velocities"]
+    pins = {"wording": "orientation free, least norm", "family": "elbow up"}
+    records = [draw_record(SECRET, "one", f"s{i}", exercise, (), pins) for i in range(4)]
+    assert all(record.numbers[name] == value for record in records for name, value in pins.items())
+    assert len({canonical(record.numbers) for record in records}) == 4
+
+
+def test_what_is_pinned_and_never_drawn_is_told_with_what_was():
+    exercise = exercise_of(
+        Part("t_x", "x?", 1, Numbers(()), lambda v, _: v["x"]),
+        draw=lambda rng: {"x": float(rng.uniform(1, 2)), "form": int(rng.integers(2))},
+    )
+    with pytest.raises(ExerciseError, match="draws of t never gave what is pinned: form was 0, 1"):
+        draw_record(SECRET, "one", "ada", exercise, (), {"form": 5})
