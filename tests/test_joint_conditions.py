@@ -9,6 +9,7 @@ from kinegrade.exercises.answers import Conditions
 from kinegrade.exercises.catalogue import load
 from kinegrade.exercises.exercise import ExerciseError, Part, references
 from kinegrade.exercises.values import declared, pictured
+from kinegrade.grader.common_roots import common_roots
 from kinegrade.grader.conditions import judge_conditions
 from kinegrade.grader.mark import mark
 from kinegrade.grader.read_formulas import read_conditions
@@ -133,7 +134,8 @@ def test_the_planar_arm_is_marked_however_it_is_written(tmp_path, answer, points
         (ALL, ["-l1^2*s2^2 - s3^2*(l1 + l2)/2 - 2*s4^2 = 0"]),
         (ALL, ["sqrt(sin(q2)^2 + 20*sin(q3)^2) + sin(q4)^2 = 0"]),
         (ALL, ["cos(q2)^2 + cos(q3)^2 + cos(q4)^2 = 3"]),
-        (ALL, ["3 - cos(2*q2) - cos(2*q3) - cos(2*q4) = 0"]),
+        (ALL, ["cos(2*q2) + 10*cos(2*q3) + cos(2*q4)/10 = 11.1"]),
+        (ALL, ["cos(q2)^2 + cos(q3)^2 = 2 and sin(q4) = 0"]),
         (TWO, ["q4 = 0 or sin(q3) = 0 and sin(q2) = 0"]),
         (TWO, ["q4*(sin(q2)^2 + sin(q3)^2) = 0"]),
         (TWO, ["s2 = 0 and s3 = 0", "q4 = 0", "q4 = 0 and q1 = 1"]),
@@ -174,6 +176,7 @@ def test_what_is_missing_or_too_much_is_said_and_costs_its_share(reference, text
     [
         (["q2 = 0, pi and q3 = 0 and q4 = 2"], 1),
         (["q2 = 0, -pi and q3^2 = 0 and (q4 - 2)^2 = 0"], 1),
+        (["q2 = 0, pi and q3*(q3 - 1.8) = 0 and q4 = 2"], 1),
         (["q2 = 0, pi and q3 = -0.1 and q4 = 2"], 0),
         (["q2 = 0, pi and q3 = 0 and q4 = 2.1"], 0),
     ],
@@ -216,6 +219,14 @@ def test_nothing_warns_where_a_condition_has_poles_or_no_value():
         "1/s2^2 + 1/s3^2",
     ):
         assert judged(ALL, text).share == 0
+
+
+def test_starts_at_which_a_function_is_infinite_are_left_out():
+    def beside_a_wall(x):
+        return np.where(x > 0.5, np.inf, x)
+
+    found = common_roots(beside_a_wall, np.array([[-1.0, 0.3, 0.5, 0.9]]))
+    np.testing.assert_allclose(found, np.zeros((1, 2)), atol=1e-9)
 
 
 def test_a_reference_may_be_texts_expressions_or_tuples_of_them():
