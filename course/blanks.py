@@ -18,6 +18,7 @@ from ..exercises.answers import (
     TableOf,
 )
 from ..exercises.exercise import Part
+from ..solutions.condition import condition_text
 
 
 def blank(part: Part) -> str:
@@ -82,7 +83,7 @@ _CODES: dict[type, Callable[[Part, Any], str]] = {
     TableOf: lambda _, answer: _rows([[str(cell) for cell in row] for row in answer.rows]),
     Formulas: _texts,
     Choice: lambda _, answer: repr(answer),
-    Conditions: lambda _, answer: _rows([f"{expression} = 0" for expression in answer]),
+    Conditions: lambda _, answer: _rows([condition_text(condition) for condition in answer]),
     Manual: lambda _, answer: repr(answer),
 }
 

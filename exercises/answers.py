@@ -71,8 +71,9 @@ class Choice:
 class Conditions:
     """Equations in `names`, such as sin(q2) = 0, all solutions of which are asked.
 
-    `domain(v)` gives the range of every joint within which solutions count. Its value is a tuple of `Expression`s that
-    are zero where a condition holds.
+    `domain(v)` gives the range of every joint within which solutions count. Its value is a tuple of `Condition`s: an
+    `Expression` that is zero where it holds, or `AllOf` several that hold at once. `solve` may return their texts,
+    such as "sin(q2)" or "sin(q2) = 0 and sin(q3) = 0", and tuples of texts or Expressions that hold at once.
     """
 
     names: tuple[str, ...]

@@ -1,15 +1,17 @@
 """Values of answers: brought to the declared kind, and pictured as plain numbers for records and comparisons."""
 
-from collections.abc import Callable, Iterable
-from typing import Any
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ..solutions.condition import AllOf, Condition, all_of, equations_of
 from ..solutions.errors import KinegradeError
-from ..solutions.expression import Expression, parse
+from ..solutions.expression import Expression
 from ..solutions.expression_array import ExpressionArray, expression_array, sample
 from ..solutions.table import JOINT, Table
+from ..solutions.typed_equations import typed_equations
 from .answers import (
     Answer,
     Choice,
@@ -31,7 +33,7 @@ class ValueKindError(KinegradeError):
 
 
 def declared(answer: Answer, value: Any, v: Variant) -> Any:
-    """The value as its kind: an array, `Table`, `ExpressionArray`, letter, tuple of expressions, function, text.
+    """The value as its kind: an array, `Table`, `ExpressionArray`, letter, tuple of conditions, function, text.
 
     Raises:
         ValueKindError: it is none; the sentence says what it takes.
@@ -92,9 +94,31 @@ def _choice(answer: Choice, value: Any, _: Variant) -> str:
     return value
 
 
-def _conditions(answer: Conditions, value: Any, v: Variant) -> tuple[Expression, ...]:
+def _conditions(answer: Conditions, value: Any, v: Variant) -> tuple[Condition, ...]:
     names = names_on_sheet(answer.names, v)
-    return tuple(entry if isinstance(entry, Expression) else parse(entry, names) for entry in value)
+    return tuple(condition for entry in _listed(value) for condition in _alternatives(entry, names))
+
+
+def _listed(value: Any) -> Sequence[Any]:
+    """The entries of a list, and of what stands by itself the one that it is."""
+    return [value] if isinstance(value, str | Expression | AllOf) else value
+
+
+def _alternatives(entry: Any, names: tuple[str, ...]) -> Sequence[Condition]:
+    """The conditions of one entry: several where its text lists them, one where it lists what holds at once."""
+    if isinstance(entry, Expression | AllOf):
+        return [entry]
+    if isinstance(entry, list | tuple):
+        return [all_of([_equation(equation, names) for equation in cast("Sequence[Any]", entry)])]
+    return typed_equations(entry, names)
+
+
+def _equation(entry: Any, names: tuple[str, ...]) -> Expression:
+    """One of the equations that hold at once."""
+    found = [equation for condition in _alternatives(entry, names) for equation in equations_of(condition)]
+    if len(found) != 1:
+        raise ValueKindError(f"takes one equation in each place of a tuple that holds at once, got {str(entry)[:60]!r}")
+    return found[0]
 
 
 def _configurations(answer: Configurations, value: Any, _: Variant) -> NDArray[np.float64]:
@@ -140,9 +164,15 @@ def _nothing(*_: Any) -> None:
     """Nothing can be computed from what is marked by hand."""
 
 
-def _at_points(answer: Conditions, value: Iterable[Expression], v: Variant) -> NDArray[np.float64]:
+def _at_points(answer: Conditions, value: Iterable[Condition], v: Variant) -> NDArray[np.float64]:
+    """A row for every equation; before those that hold at once, a row that says how many."""
     values: dict[str, Any] = {**v, **sample([name for name in answer.names if JOINT.fullmatch(name)], PICTURES)}
-    return np.array([np.broadcast_to(expression.at(values), PICTURES) for expression in value], dtype=float)
+    rows = list[Any]()
+    for condition in value:
+        equations = equations_of(condition)
+        rows += [float(len(equations))] if len(equations) > 1 else []
+        rows += [expression.at(values) for expression in equations]
+    return np.array([np.broadcast_to(row, PICTURES) for row in rows], dtype=float)
 
 
 def _formula_numbers(answer: Formulas, value: ExpressionArray, v: Variant) -> NDArray[np.float64]:

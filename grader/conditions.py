@@ -9,7 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..exercises.answers import Variant
+from ..solutions.condition import Condition, equations_of
 from ..solutions.expression import Expression
+from .common_roots import common_roots
+from .sums import equations_within
 
 LINES, STEPS = 6, 720  # grid lines along each joint, and steps along a line, a turn at most
 HALVINGS = 60
@@ -18,6 +21,9 @@ EDGE = 0.01  # rad beyond a full turn, so that solutions at its ends are inside
 EXACT, HOLDS = 1e-12, 1e-6  # of the size of an expression on its line
 NEAR = 1e-4  # of its size a hundredth away: a double root is found to half the digits
 MOST_ZEROS = 64  # of an expression within a turn
+STARTS = 300  # places from which common zeros are looked for
+SLOPE = 1e-4  # to both sides: where an expression is least its slopes are zero too
+OUTSIDE = 1e-7  # that a common zero at the end of a range may lie beyond it
 Domain = Mapping[str, tuple[float, float]]
 Points = dict[str, NDArray[np.float64]]
 
@@ -31,17 +37,17 @@ class Judged:
     findings: tuple[str, ...]
 
 
-def judge_conditions(reference: Sequence[Expression], own: Sequence[Expression], domain: Domain, v: Variant) -> Judged:
+def judge_conditions(reference: Sequence[Condition], own: Sequence[Condition], domain: Domain, v: Variant) -> Judged:
     """The student's conditions against the reference, within the ranges of the joints.
 
     A condition of the student's holds when some reference condition is met wherever it is met; a reference condition is
     covered when the student's conditions together are met wherever it is. Each false one costs one covered.
     """
-    met = [_roots(expression, domain, v) for expression in own]
+    met = [_roots(condition, domain, v) for condition in own]
     met = [points if _size(points) else _roots(own[i], _more_turns(domain), v) for i, points in enumerate(met)]
-    holds = tuple(bool(_size(points)) and bool(_any_zero(reference, points, domain, v).all()) for points in met)
-    true = [expression for expression, ok in zip(own, holds, strict=True) if ok]
-    covered = [_any_zero(true, _roots(expression, domain, v), domain, v) for expression in reference]
+    holds = tuple(bool(_size(points)) and bool(_any_met(reference, points, domain, v).all()) for points in met)
+    true = [condition for condition, ok in zip(own, holds, strict=True) if ok]
+    covered = [_any_met(true, _roots(condition, domain, v), domain, v) for condition in reference]
     full = sum(bool(hit.all()) for hit in covered)
     partial = [hit for hit in covered if hit.any() and not hit.all()]
     false = len(holds) - sum(holds)
@@ -57,20 +63,71 @@ def judge_conditions(reference: Sequence[Expression], own: Sequence[Expression],
     return Judged(holds, max(0, full - false) / len(covered), tuple(findings))
 
 
-def _roots(expression: Expression, domain: Domain, v: Variant) -> Points:
-    """Points of the domain where an expression is zero, found along lines parallel to every joint it holds.
+def _roots(condition: Condition, domain: Domain, v: Variant) -> Points:
+    """Points of the domain where a condition is met: of one expression along lines, of several by common zeros.
 
-    None are found for an expression that is zero more than 64 times on a line: it is no condition of this kind.
+    Where one is zero nowhere along lines it may yet be where several joints are right at once, as a sum of squares is;
+    where it is no sum of such terms as it stands, its slopes are zero there too.
+    """
+    equations = equations_of(condition)
+    if len(equations) == 1:
+        found = _along_lines(equations[0], domain, v)
+        if found is None:
+            return {name: np.zeros(0) for name in domain}
+        if _size(found) or (np.abs(equations[0].at({**v, **_spread(domain, LINES)})) <= EXACT).all():
+            return found
+    numbers = {name: float(x) for name, x in v.items() if isinstance(x, int | float)}
+    sought = [part for equation in equations for part in equations_within(equation, numbers)]
+
+    def values(points: Mapping[str, Any]) -> list[Any]:
+        return [part.at(points) for part in sought] if len(sought) > 1 else _with_slopes(sought[0], points, domain)
+
+    return _common(equations, values, domain, v)
+
+
+def _with_slopes(expression: Expression, points: Mapping[str, Any], domain: Domain) -> list[Any]:
+    """Values of an expression and of its derivatives by the joints."""
+    values = [expression.at(points)]
+    for name in (name for name in domain if name in expression.names):
+        ahead = expression.at({**points, name: points[name] + SLOPE})
+        back = expression.at({**points, name: points[name] - SLOPE})
+        values.append(np.subtract(ahead, back) / (2 * SLOPE))
+    return values
+
+
+def _common(
+    equations: Sequence[Expression], values: Callable[[Mapping[str, Any]], Sequence[Any]], domain: Domain, v: Variant
+) -> Points:
+    """Points of the domain where all equations are met, sought from many places as common zeros of the values."""
+    starts = np.array([*_spread(domain, STARTS).values()])
+
+    def functions(x: NDArray[np.float64]) -> NDArray[np.float64]:
+        points: dict[str, Any] = {**v, **dict(zip(domain, x, strict=True))}
+        return np.array([np.broadcast_to(value, x.shape[1]) for value in values(points)], dtype=np.float64)
+
+    points: Points = dict(zip(domain, common_roots(functions, starts), strict=True))
+    kept = np.ones(_size(points), dtype=bool)
+    for name, limits in domain.items():
+        low, high = _with_edges(limits)
+        kept &= (points[name] >= low - OUTSIDE) & (points[name] <= high + OUTSIDE)
+    for equation in equations:
+        kept &= _is_zero(equation, points, v)
+    return {name: place[kept] for name, place in points.items()}
+
+
+def _along_lines(expression: Expression, domain: Domain, v: Variant) -> Points | None:
+    """Points where an expression is zero, on lines parallel to every joint it holds.
+
+    None for an expression that is zero more than 64 times on a line: it is no condition of this kind.
     """
     found: list[Points] = []
     for joint in (name for name in domain if name in expression.names):
         start = _spread(domain, LINES)
-        low, high = domain[joint]
-        low, high = (low - EDGE, high + EDGE) if _is_turn(domain[joint]) else (low, high)
+        low, high = _with_edges(domain[joint])
         line = np.linspace(low, high, STEPS * math.ceil((high - low) / (TURN + 3 * EDGE)) + 1)
         number, place = _zeros(expression, v, start, joint, line)
         if len(number) and np.bincount(number).max() > MOST_ZEROS * len(line) / STEPS:
-            return {name: np.zeros(0) for name in domain}
+            return None
         found.append({name: x[number] for name, x in start.items()} | {joint: place})
     if not found:
         return {name: np.zeros(0) for name in domain}
@@ -137,17 +194,30 @@ def _lowest(
     return 0.5 * (low + high)
 
 
-def _any_zero(expressions: Sequence[Expression], points: Points, domain: Domain, v: Variant) -> NDArray[np.bool_]:
-    """At which points any of the expressions is zero, measured against its size close by.
+def _any_met(conditions: Sequence[Condition], points: Points, domain: Domain, v: Variant) -> NDArray[np.bool_]:
+    """At which points any of the conditions is met."""
+    hit = np.zeros(_size(points), dtype=bool)
+    for condition in conditions:
+        zeros = [_zero_in_a_turn(expression, points, domain, v) for expression in equations_of(condition)]
+        hit |= np.all(zeros, axis=0)
+    return hit
+
+
+def _zero_in_a_turn(expression: Expression, points: Points, domain: Domain, v: Variant) -> NDArray[np.bool_]:
+    """At which points an expression is zero.
 
     Joints that may turn in full are looked at one turn before and after too: q2 = pi is q2 = -pi.
     """
     hit = np.zeros(_size(points), dtype=bool)
-    for expression in expressions:
-        for shifted in _turned(points, domain):
-            here = np.abs(np.broadcast_to(expression.at({**v, **shifted}), hit.shape))
-            hit |= here <= NEAR * _size_nearby(expression, shifted, v)
+    for shifted in _turned(points, domain):
+        hit |= _is_zero(expression, shifted, v)
     return hit
+
+
+def _is_zero(expression: Expression, points: Points, v: Variant) -> NDArray[np.bool_]:
+    """At which points an expression is zero, measured against its size close by."""
+    here = np.abs(np.broadcast_to(expression.at({**v, **points}), _size(points)))
+    return np.less_equal(here, NEAR * _size_nearby(expression, points, v), dtype=bool)
 
 
 def _size_nearby(expression: Expression, points: Points, v: Variant) -> NDArray[np.float64]:
@@ -172,6 +242,12 @@ def _more_turns(domain: Domain) -> Domain:
     """Four turns more on both sides: q2 = 3*pi is met there."""
     more = {name: (low - 4 * TURN, high + 4 * TURN) for name, (low, high) in domain.items() if _is_turn((low, high))}
     return {**domain, **more}
+
+
+def _with_edges(limits: tuple[float, float]) -> tuple[float, float]:
+    """A range, with what lies beyond a full turn so that solutions at its ends are inside."""
+    low, high = limits
+    return (low - EDGE, high + EDGE) if _is_turn(limits) else limits
 
 
 def _is_turn(limits: tuple[float, float]) -> bool:

@@ -17,6 +17,7 @@ from ..exercises.answers import (
     TableOf,
     Variant,
 )
+from ..solutions.condition import condition_text
 from .wire import Raw
 
 
@@ -48,7 +49,7 @@ _HANDED_IN: dict[type, Callable[[Any, Any, Variant], Raw]] = {
     Configurations: _numbers,
     TableOf: lambda _, value, __: Raw("text", [[str(cell) for cell in row] for row in value.rows]),
     Formulas: lambda _, value, __: Raw("text", value.text()),
-    Conditions: lambda _, value, __: Raw("text", [f"{expression} = 0" for expression in value]),
+    Conditions: lambda _, value, __: Raw("text", [condition_text(condition) for condition in value]),
     Choice: _text,
     Manual: _text,
     Function: _calls,

@@ -9,6 +9,7 @@ import numpy as np
 
 from ..exercises.answers import Manual, Numbers
 from ..exercises.exercise import Exercise, Part, Variant
+from ..solutions.condition import Condition, condition_text
 from ..solutions.expression_array import ExpressionArray
 from ..solutions.table import Table
 from .answer_key import AnswerKey, Wanted
@@ -207,5 +208,5 @@ def _shown(answer: Any) -> Any:
     if isinstance(answer, Results):
         return None  # what is right of it is said group by group
     if isinstance(answer, tuple):
-        return [f"{expression} = 0" for expression in cast("tuple[Any, ...]", answer)]
+        return [condition_text(condition) for condition in cast("tuple[Condition, ...]", answer)]
     return answer if isinstance(answer, str) else np.asarray(answer).tolist()

@@ -7,15 +7,17 @@ import numpy as np
 
 from ..exercises.answers import Conditions, Formulas, Variant
 from ..exercises.values import names_on_sheet
+from ..solutions.condition import Condition, equations_of
 from ..solutions.expression import Expression, ExpressionError, parse
 from ..solutions.expression_array import ExpressionArray
 from ..solutions.typed import typed
-from ..solutions.typed_matrix import typed_equations, typed_matrix
+from ..solutions.typed_equations import typed_equations
+from ..solutions.typed_matrix import typed_matrix
 from .read_numbers import flat_texts, reshaped
 from .unreadable import Unreadable, clip, entry_name, misread
 from .wire import Raw
 
-MOST_CONDITIONS = 32
+MOST_CONDITIONS, MOST_EQUATIONS = 32, 64
 
 
 def read_formulas(answer: Formulas, raw: Raw, v: Variant) -> ExpressionArray:
@@ -33,19 +35,21 @@ def read_formulas(answer: Formulas, raw: Raw, v: Variant) -> ExpressionArray:
     return ExpressionArray(tuple(entries), answer.shape)
 
 
-def read_conditions(answer: Conditions, raw: Raw, v: Variant) -> tuple[Expression, ...]:
-    """Expressions that are zero where a condition holds. Raises Unreadable."""
+def read_conditions(answer: Conditions, raw: Raw, v: Variant) -> tuple[Condition, ...]:
+    """Expressions that are zero where a condition holds, or several that are zero at once. Raises Unreadable."""
     names = names_on_sheet(answer.names, v)
     if raw.kind != "text":
         got = "numbers" if raw.kind != "num" or raw.value.size else "nothing"
         raise Unreadable(f"takes a list of conditions in {', '.join(names)}, such as ['sin(q1) = 0'], got {got}")
     texts, _ = flat_texts(raw.value)  # a file has them in a row or a column
-    found: list[Expression] = []
+    found: list[Condition] = []
     for text in texts:
         if len(found) <= MOST_CONDITIONS:
             found += _read(text, lambda text: typed_equations(text, names))
     if not 1 <= len(found) <= MOST_CONDITIONS:
         raise Unreadable(f"takes 1 to {MOST_CONDITIONS} conditions, got {len(found)}")
+    if (count := sum(len(equations_of(condition)) for condition in found)) > MOST_EQUATIONS:
+        raise Unreadable(f"takes up to {MOST_EQUATIONS} equations in all conditions, got {count}")
     return tuple(found)
 
 

@@ -180,14 +180,24 @@ def without_dust(value):
 
 
 def entry(value):
-    """Strings as they are, numbers as their shortest exact text, sympy's Eq(a, b) as a = b, all else as str()."""
+    """Strings as they are, numbers as their shortest exact text, sympy's equations as a = b, all else as str()."""
     if isinstance(value, str):
         return str(value)
     if isinstance(value, (int, float)) or getattr(getattr(value, "dtype", None), "kind", None) in tuple("biuf"):
         return repr(float(value))
     if getattr(value, "rel_op", "") == "==":
         return f"{value.lhs} = {value.rhs}"
+    if type(value).__name__ in ("And", "Or") and hasattr(value, "args"):
+        return listing(value)
     return str(without_dust(value) if hasattr(value, "xreplace") else value)
+
+
+def listing(value):
+    """sympy's And and Or of equations, in brackets where they stand in one another."""
+    word = f" {type(value).__name__.lower()} "
+    nested = [type(part).__name__ in ("And", "Or") for part in value.args]
+    texts = [entry(part) for part in value.args]
+    return word.join(f"({text})" if inside else text for text, inside in zip(texts, nested, strict=True))
 
 
 def encode_asked(value, calls):

@@ -17,15 +17,16 @@ from .tokens import SIZE, ExpressionError, Token, number, refusing, tokens_of
 Node = tuple[str, *tuple[Any, ...]]  # ("n", 2.0) | ("s", "q1") | ("sin", i) | ("*", i, j)
 FUNCTIONS: dict[str, Callable[[Any], Any]] = {
     "sin": np.sin, "cos": np.cos, "tan": np.tan,
-    "asin": np.arcsin, "acos": np.arccos, "atan": np.arctan, "sqrt": np.sqrt,
+    "asin": np.arcsin, "acos": np.arccos, "atan": np.arctan, "sqrt": np.sqrt, "abs": np.abs,
 }  # fmt: skip
-PLAIN = {"+": "add", "-": "sub", "*": "mul", "/": "truediv", "^": "pow", "neg": "neg"}
+PLAIN = {"+": "add", "-": "sub", "*": "mul", "/": "truediv", "^": "pow", "neg": "neg", "abs": "abs"}
 UNARY = FUNCTIONS | {"neg": np.negative}
 BINARY: dict[str, Callable[[Any, Any], Any]] = {
     "+": np.add, "-": np.subtract, "*": np.multiply, "/": np.divide, "^": np.power,
     "atan2": np.arctan2,
 }  # fmt: skip
 CALLED = {**dict.fromkeys(FUNCTIONS, 1), "atan2": 2}  # functions and how many arguments they take
+AS_PRINTED = {"Abs": "abs"}  # functions that sympy prints under another name
 DEPTH, EXPONENT = 40, 20
 MISSING = {"(": "", ")": "a closing bracket is missing", ",": "a comma and another argument are missing"}
 BINDING = {"+": 10, "-": 10, "*": 20, "/": 20, "neg": 30, "^": 40}
@@ -114,7 +115,7 @@ class Expression:
 
 
 def parse(text: str, names: Collection[str]) -> Expression:
-    """Expression of `text` in `names`, the functions sin cos tan asin acos atan atan2 sqrt and the constant pi.
+    """Expression of `text` in `names`, the functions sin cos tan asin acos atan atan2 sqrt abs and the constant pi.
 
     Products need a sign; ** and ^ are powers; mathematical minus, times and dot signs, Greek letters, subscripts and
     superscripts are read. Raises ExpressionError where the text is anything else, too long, too deep or not finite.
@@ -187,8 +188,9 @@ class _Parser:
         raise ExpressionError(f"a number, a name or a bracket is expected, got '{text}'", offset)
 
     def named(self, name: str, offset: int, depth: int) -> int:
-        if name in CALLED:
-            return self.node(offset, name, *self.arguments(name, depth))
+        function = name if name in self.names else AS_PRINTED.get(name, name)
+        if function in CALLED:
+            return self.node(offset, function, *self.arguments(function, depth))
         if name == "pi":
             return self.node(offset, "n", math.pi)
         if name in self.names:

@@ -12,7 +12,10 @@ LENGTH, SIZE = 400, 1e12
 GREEK = {
     "θ": "theta", "ϑ": "theta", "α": "alpha", "β": "beta", "γ": "gamma", "φ": "phi", "ϕ": "phi", "ψ": "psi", "π": "pi",
 }  # fmt: skip
-SIGNS = {"−": "-", "–": "-", "×": "*", "·": "*", "⋅": "*", "∙": "*", "∗": "*", "÷": "/", "**": "^", "==": "="}
+SIGNS = {
+    "−": "-", "–": "-", "×": "*", "·": "*", "⋅": "*", "∙": "*", "∗": "*", "÷": "/", "**": "^", "==": "=",
+    "&&": "&", "∧": "&",
+}  # fmt: skip
 SUBSCRIPTS, SUPERSCRIPTS = "₀₁₂₃₄₅₆₇₈₉", "⁰¹²³⁴⁵⁶⁷⁸⁹"
 DIGITS = dict(zip(SUBSCRIPTS + SUPERSCRIPTS, "0123456789" * 2, strict=True))
 TRANSLATED = str.maketrans({**GREEK, **DIGITS, "{": None, "}": None})
@@ -26,7 +29,7 @@ TOKEN = re.compile(
     rf"|(?P<power>⁻?[{SUPERSCRIPTS}]+)"
     r"|(?P<line>\n)"
     r"|(?P<space>[^\S\n]+)"
-    r"|(?P<sign>\*\*|==|.)"
+    r"|(?P<sign>\*\*|==|&&|.)"
     r"|(?P<end>\Z)"
 )
 POWER = re.compile(rf"\s*(?:\^|\*\*|⁻|[{SUPERSCRIPTS}])")

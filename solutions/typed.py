@@ -1,15 +1,16 @@
-"""Formulas in the shorthands students use: s12, c_23, theta_1, np.sin, sec(q1), sin²(q1), √3."""
+"""Formulas in the shorthands students use: s12, c_23, theta_1, np.sin, sec(q1), sin²(q1), √3, |q1|."""
 
 from collections.abc import Callable, Collection, Iterator, Sequence
 
+from .bars import without_bars
 from .expression import CALLED, Expression, expression_of
 from .tokens import FORMULA, TRANSLATED, ExpressionError, Token, refusing, tokens_of
 
-TYPED = FORMULA | {"√"}
+TYPED = FORMULA | {"√", "|"}
 MODULES = ("", "np", "numpy", "math", "sp", "sympy")
 ALIASES = {
     "arcsin": "asin", "arccos": "acos", "arctan": "atan", "arctan2": "atan2", "tg": "tan", "arctg": "atan",
-    "cosec": "csc", "ctg": "cot",
+    "cosec": "csc", "ctg": "cot", "fabs": "abs", "absolute": "abs",
 }  # fmt: skip
 RECIPROCALS = {"sec": "cos", "csc": "sin", "cot": "tan"}
 FACTORS = 20  # as long is a name that may be a product without signs
@@ -26,8 +27,8 @@ def typed(text: str, names: Collection[str]) -> Expression:
     """Expression of what a student typed, as `parse` reads it and in shorthands that are not themselves names.
 
     s12, c_23 and S1 are sines and cosines of sums of joints; theta1, th_1 and θ₁ are q1; l_1, L1 and rrt_l1 are l1;
-    np.sin, arcsin, sec, sin²(q1) and √3 are read. Raises ExpressionError, with the place in the text as typed, where
-    that is none of it or may be two things.
+    np.sin, arcsin, sec, sin²(q1), √3 and |q1| are read. Raises ExpressionError, with the place in the text as typed,
+    where that is none of it or may be two things.
     """
     with refusing(text):
         return typed_tokens(tokens_of(text, TYPED), names)
@@ -36,7 +37,7 @@ def typed(text: str, names: Collection[str]) -> Expression:
 def typed_tokens(tokens: Sequence[Token], names: Collection[str]) -> Expression:
     """Expression of the tokens, the last of kind "end", in shorthands; ExpressionError without the text."""
     known = frozenset(names)
-    spelled = [long for token in tokens for long in _spelled(token, known)]
+    spelled = [long for token in without_bars(tokens) for long in _spelled(token, known)]
     return expression_of(_rearranged(spelled), known)
 
 

@@ -72,6 +72,13 @@ def test_values_come_back_as_a_person_would_mean_them(code, expected):
         ("x = 'x' * 20_001", "error", "too long: a text of 20001 characters; 20000 can be read here"),
         ("x = ['x' * 401]", "error", "too long: a text of 401 characters; 400"),
         ("x = ['x'] * 65", "error", "too long: a list of 65 entries"),
+        ("from sympy import *\nq = symbols('q')\nx = Abs(2*sin(q))", "text", "2*Abs(sin(q))"),
+        ("from sympy import *\np, q = symbols('p q')\nx = [And(Eq(p, 0), Eq(q, 1))]", "text", "['p = 0 and q = 1']"),
+        (
+            "from sympy import *\np, q = symbols('p q')\nx = Eq(p, 0) & (Eq(q, 0) | Eq(q, 1))",
+            "text",
+            "p = 0 and (q = 0 or q = 1)",
+        ),
         ("from sympy import *\nq = symbols('q')\nx = Matrix([[q + 1, 2]])", "text", "[['q + 1', '2']]"),
         ("from sympy import *\nx = expand((symbols('a') + symbols('b')) ** 999)", "error", "too long: a text of"),
         ("x = lambda q: q", "error", "a function"),

@@ -43,6 +43,8 @@ READABLE = {"1e-3": 0.001}
         ("2*atan2(q1 + q2, a1)^2", 2 * math.atan2(0.9, 0.7) ** 2),
         ("-a1*sin(q1) - l2*sin(q1+q2)", -0.7 * math.sin(1.3) - 0.9 * math.sin(0.9)),
         ("cos(q1)^2 + sin(q1)**2", 1.0),
+        ("abs(q2)*a1", 0.4 * 0.7),
+        ("Abs(q2 - q1)^2", 1.7**2),
         ("  q1\t", 1.3),
     ],
 )
@@ -104,6 +106,8 @@ def test_every_bad_input_is_refused_at_a_place_or_read_as_a_person_would(entry: 
         ("π + 2q1", 5, "a sign such as * is missing before 'q1'"),
         ("(q1, q2)", 3, "a comma has no place here"),
         ("q1²^3", 2, "two powers in a row take brackets"),
+        ("abs q1", 4, "abs takes its argument in brackets, as in abs(x)"),
+        ("|q1|", 0, "'|' has no meaning in a formula"),
         ("atan2(q1)", 8, "atan2 takes 2 arguments, got 1"),
         ("atan2(q1, q2, a1)", 12, "a comma has no place here"),
         ("atan2(q1", 8, "a comma and another argument are missing"),
@@ -195,7 +199,7 @@ def formulas() -> st.SearchStrategy[str]:
         return (
             st.tuples(inner, st.sampled_from("+-*/"), inner).map(lambda x: f"({x[0]}) {x[1]} ({x[2]})")
             | st.tuples(inner, st.sampled_from("+-*/"), leaves).map(" ".join)
-            | st.tuples(st.sampled_from(["-", "sin", "cos"]), inner).map(lambda x: f"{x[0]}({x[1]})")
+            | st.tuples(st.sampled_from(["-", "sin", "cos", "abs"]), inner).map(lambda x: f"{x[0]}({x[1]})")
             | st.tuples(inner, leaves).map(lambda x: f"atan2({x[0]}, {x[1]})")
             | st.tuples(inner, st.sampled_from(["2", "-1", "-(1/2)"])).map(lambda x: f"({x[0]})^{x[1]}")
         )
@@ -240,6 +244,7 @@ def test_any_text_is_read_or_refused_at_a_place_within_it(text: str):
         ("(-q1)^2", "(-q1)^2"),
         ("q1 + -2", "q1 + (-2)"),
         ("2.0*pi", "2*pi"),
+        ("-Abs(q1 - 2)^2", "-abs(q1 - 2)^2"),
     ],
 )
 def test_formulas_are_printed_with_the_brackets_they_need(text: str, printed: str):
@@ -299,6 +304,7 @@ def test_sympy_gets_exact_numbers_and_real_symbols():
     expected = sp.Rational(1, 10) * a1 * sp.sin(q1 + sp.pi / 2) - sp.sqrt(2) / sp.Rational(1, 1000) ** 2
     assert sp.simplify(parse("0.1*a1*sin(q1 + pi/2) - sqrt(2)/1e-3^2", NAMES).sympy() - expected) == 0
     assert parse("atan2(q1, a1)", NAMES).sympy() == sp.atan2(q1, a1)
+    assert parse("abs(a1*sin(q1))", NAMES).sympy() == sp.Abs(a1 * sp.sin(q1))
     assert parse("-q1 + asin(a1)*acos(a1)", NAMES).sympy() == -q1 + sp.asin(a1) * sp.acos(a1)
 
 
@@ -330,6 +336,10 @@ def test_sympy_has_the_same_value(text: str):
 )
 def test_names_have_one_latex_form(name: str, latex: str):
     assert latex_name(name) == latex
+
+
+def test_a_name_that_sympy_has_for_a_function_is_the_name():
+    assert parse("Abs + 1", ("Abs",)).names == {"Abs"}
 
 
 def test_reading_runs_nothing_of_python(monkeypatch: pytest.MonkeyPatch):

@@ -4,6 +4,8 @@ import numpy as np
 import pytest
 import sympy
 from kinegrade.course.formulas import closed_form, given_number, matrix, number, page_text
+from kinegrade.solutions.condition import AllOf, condition_sympy
+from kinegrade.solutions.expression import parse
 
 
 @pytest.mark.parametrize(("value", "text"), [(1.23456, "1.235"), (-0.0001, "0.000"), (-0.0, "0.000"), (-2, "-2.000")])
@@ -48,3 +50,14 @@ def test_page_text_is_mathml_and_code_and_everything_else_is_escaped():
     html = page_text(r"<b>x</b> & $\mathbf{J}$ and `<i>`")
     assert html.startswith("&lt;b&gt;x&lt;/b&gt; &amp; <math")
     assert html.endswith("<code>&lt;i&gt;</code>")
+
+
+def test_an_absolute_value_has_its_bars():
+    formula = parse("abs(l1*l2*sin(q2))", ("l1", "l2", "q2"))
+    assert closed_form(formula.sympy()) == r"\left|{l_{1} l_{2} s_{2}}\right|"
+    assert "<mo" in page_text(f"${closed_form(formula.sympy())}$")
+
+
+def test_a_joint_condition_is_printed_with_its_equations():
+    condition = AllOf((parse("sin(q2)", ("q2",)), parse("sin(q2 + q3)", ("q2", "q3"))))
+    assert closed_form(condition_sympy(condition)) == r"s_{2} = 0 \wedge s_{23} = 0"

@@ -11,7 +11,8 @@ import numpy as np
 import pytest
 from kinegrade.solutions.expression import ExpressionError
 from kinegrade.solutions.typed import typed
-from kinegrade.solutions.typed_matrix import typed_equations, typed_matrix
+from kinegrade.solutions.typed_equations import typed_equations
+from kinegrade.solutions.typed_matrix import typed_matrix
 
 MANY = 100_000
 VALUES = {"q1": 0.7, "q2": -0.4, "q3": 1.9, "l1": 0.83, "a2": 0.31, "d1": 1.27}
@@ -24,6 +25,7 @@ SHORT = {
 FUNCTIONS: dict[str, Callable[..., float]] = {
     "sin": np.sin, "cos": np.cos, "tan": np.tan, "sqrt": np.sqrt, "asin": np.arcsin, "acos": np.arccos,
     "atan": np.arctan, "arcsin": np.arcsin, "arctan": np.arctan, "atan2": np.arctan2, "arctan2": np.arctan2,
+    "abs": np.abs, "Abs": np.abs,
     "sec": lambda x: 1 / np.cos(x), "csc": lambda x: 1 / np.sin(x), "cot": lambda x: 1 / np.tan(x),
 }  # fmt: skip
 MODULES = ("np", "numpy", "math", "sp", "sympy")
@@ -33,7 +35,7 @@ PIECES = [
     *LEAVES, *FUNCTIONS, *"+-*/^(),;[]", "**", " ", "  ", "\n", "=", ".", "e", "x2", "s1c2", "9" * 30, "1e999",
     "²", "³", "⁻¹", "√", "π", "θ₁", "·", "−", "s_{12}", "np.", "Matrix", "array", "sin x", "__class__", "lambda", "if",
     "1e-400", "°", "or", "k", "'", '"', "!", "%", "//", "<<", "~", "@", "{", "}", "\\", "#", "\t", "_", "1_000", "0x1f",
-    "1j", "±",
+    "1j", "±", "|", "|", "and", "&",
 ]  # fmt: skip
 
 
@@ -41,6 +43,7 @@ AROUND = [
     ("(", ")"), ("[", "]"), ("-", ""), ("2^", ""), ("sin(", ")"), ("sec(", ")"), ("1+", ""), ("[[", "]]"), ("√(", ")"),
     ("sin²(", ")"), ("", "9"), ("", "!"), ("", "^9"), ("s", ""), ("", "1"), ("", "e9"), ("q1,", ""), ("", "\n"),
     ("q1", ""), ("s1_", ""), ("atan2(1,", ")"), ("((", ")"), ("Matrix(", ")"), ("±", ""), ("q1=", ""),
+    ("|", "|"), ("abs(", ")"), ("(|", "|)"), ("q1 and ", ""),
 ]  # fmt: skip
 
 

@@ -19,6 +19,7 @@ from kinegrade.exercises.exercise import (
 from kinegrade.exercises.properties import list_share
 from kinegrade.grader.mark import mark
 from kinegrade.grader.wire import Raw
+from sympy import Abs, Symbol, sin
 
 V = {"l1": 0.8, "l2": 0.5, "q": [0.4, 0.9]}
 NAMES = ("l1", "l2", "q1", "q2")
@@ -59,6 +60,35 @@ def formulas(shape=(3, 2), reference=J, **more):
 def test_formulas_are_right_in_any_wording(text):
     found = verdict(formulas(), text)
     assert (found.status, found.points) == ("correct", 4)
+
+
+MANIPULABILITY = Abs(Symbol("l1", real=True) * Symbol("l2", real=True) * sin(Symbol("q2", real=True)))
+
+
+@pytest.mark.parametrize("reference", ["abs(l1*l2*sin(q2))", "Abs(l1*l2*sin(q2))", MANIPULABILITY])
+@pytest.mark.parametrize(
+    ("text", "points"),
+    [
+        ("abs(l1*l2*sin(q2))", 4),
+        ("|l1*l2*s2|", 4),
+        ("l1*l2*|sin(q2)|", 4),
+        ("l1*l2*Abs(sin(q2))", 4),
+        ("np.abs(-l1*l2*s2)", 4),
+        ("sqrt(sin(q2)^2)*l1*l2", 4),
+        ("l1*l2*sin(q2)", 0),
+        ("-l1*l2*sin(q2)", 0),
+        ("l1*l2*|sin(q1)|", 0),
+        ("|l1|*|l2|*|q2|", 0),
+    ],
+)
+def test_a_manipulability_is_a_formula_with_an_absolute_value(reference, text, points):
+    assert verdict(formulas((), reference), text).points == points
+
+
+def test_a_bar_that_may_open_or_close_is_shown_with_a_caret():
+    found = verdict(formulas((), "abs(q1)"), "||q1||")
+    assert found.status == "failed"
+    assert "This bar may open or close: write abs(...).\n||q1||\n ^" in said(found)
 
 
 @pytest.mark.parametrize(

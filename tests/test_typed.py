@@ -55,6 +55,13 @@ def refusal(text: Any, names: Any = NAMES) -> ExpressionError:
         ("√3/2 + √(l1)", "sqrt(3)/2 + sqrt(l1)"),
         ("2·√2×l1 − d1", "2*sqrt(2)*l1 - d1"),
         ("q1⁻¹", "q1^-1"),
+        ("|l1*s12|", "abs(l1*sin(q1 + q2))"),
+        ("Abs(l1*s1) + np.abs(d1) + math.fabs(q1)", "abs(l1*sin(q1)) + abs(d1) + abs(q1)"),
+        ("|q1| - |q2|", "abs(q1) - abs(q2)"),
+        ("-|q1|²/2", "-abs(q1)^2/2"),
+        ("|-q1*(|q2| - 1)|", "abs(-q1*(abs(q2) - 1))"),
+        ("atan2(|q1|, abs²(q2))", "atan2(abs(q1), abs(q2)^2)"),
+        ("sqrt(|s1|)*|c1|", "sqrt(abs(sin(q1)))*abs(cos(q1))"),
     ],
 )
 def test_shorthands_are_the_long_form(text: str, long: str):
@@ -150,6 +157,18 @@ def test_what_may_be_two_things_is_refused_with_both(text: str, names: tuple[str
         ("a_" * 199, 0, "unknown name"),
         ("s" + "1" * 399, 0, "unknown name"),
         ("q1 = 0", 3, "'=' has no meaning"),
+        ("|q1", 3, "a second bar is missing: write abs(...)"),
+        ("q1 + (|q2) + l1|", 9, "a second bar is missing: write abs(...)"),
+        ("atan2(|q1, q2|)", 9, "a second bar is missing: write abs(...)"),
+        ("q1|", 2, "this bar may open or close: write abs(...)"),
+        ("||q1| - |q2||", 1, "this bar may open or close: write abs(...)"),
+        ("|q1*|q2|*q3|", 4, "this bar may open or close: write abs(...)"),
+        ("|q1|q2|q3|", 6, "this bar may open or close: write abs(...)"),
+        ("|q1||q2|", 4, "this bar may open or close: write abs(...)"),
+        ("2|q1|", 1, "this bar may open or close: write abs(...)"),
+        ("sin|q1|", 3, "this bar may open or close: write abs(...)"),
+        ("||", 1, "this bar may open or close: write abs(...)"),
+        ("l1abs(q1)", 2, "a sign such as * is missing before 'abs'"),
     ],
 )
 def test_what_is_ambiguous_is_refused_at_the_place_as_typed(text: str, offset: int, message: str):

@@ -9,9 +9,11 @@ from typing import Any
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from kinegrade.solutions.condition import equations_of
 from kinegrade.solutions.expression import ExpressionError, parse
 from kinegrade.solutions.typed import typed
-from kinegrade.solutions.typed_matrix import typed_equations, typed_matrix
+from kinegrade.solutions.typed_equations import typed_equations
+from kinegrade.solutions.typed_matrix import typed_matrix
 
 NAMES = ("q1", "q2", "q3", "a", "b", "c", "d", "a1")
 ABCD = [["a", "b"], ["c", "d"]]
@@ -128,6 +130,8 @@ def test_rows_are_read_in_any_of_the_usual_ways(text: str):
         ("[a - b, c-d, -a]", [["a - b", "c - d", "-a"]]),
         ("[[a -b, c]]", [["a - b", "c"]]),
         ("[(a -b), c]", [["a - b", "c"]]),
+        ("[|a -b|, |c| - d]", [["abs(a - b)", "abs(c) - d"]]),
+        ("[|a|; abs(b)]", [["abs(a)"], ["abs(b)"]]),
         ("[atan2(a, b); s12]", [["atan2(a, b)"], ["sin(q1 + q2)"]]),
         ("[sin (q1), (a\n+ b)]", [["sin(q1)", "a + b"]]),
         ("[3,14]", [["3", "14"]]),
@@ -186,6 +190,9 @@ def test_entries_are_read_as_typed(text: str, rows: list[list[str]]):
         (f"[a, {'b + ' * 100}b]", 404, "an entry takes up to 400 characters, got 401"),
         ("a" * 20_001, 20_000, "a formula takes up to 20000 characters"),
         ("[a, 1/0]", 5, "division by zero"),
+        ("[|a| -|b|]", 5, "this may be one entry or two"),
+        ("[a |b|]", 3, "this bar may open or close"),
+        ("[|a, b|]", 3, "a second bar is missing"),
         ("[a, np.inf]", 4, "unknown name 'np.inf'"),
     ],
 )
@@ -242,6 +249,16 @@ INTEGERS = [f"q2 - {f'(-{-k}*pi)' if k < 0 else f'{k}*pi'}" for k in range(-4, 5
         ("q2 = k*pi", INTEGERS),
         ("q3 = 0, q2 = n*pi", ["q3", *INTEGERS]),
         ("atan2(q1,\n q2) = 0", ["atan2(q1, q2)"]),
+        ("|q2| = pi", ["abs(q2) - pi"]),
+        ("sin(q2) = 0 and sin(q3) = 0", ["sin(q2) = 0 and sin(q3) = 0"]),
+        ("s2 AND s3", ["sin(q2) = 0 and sin(q3) = 0"]),
+        ("q2 == 0 & q3 == 0 && a = b ∧ c = d", ["q2 = 0 and q3 = 0 and a - b = 0 and c - d = 0"]),
+        ("q2 = 0, pi and q3 = 0", ["q2*(q2 - pi) = 0 and q3 = 0"]),
+        ("(q2 = 0 or q2 = pi) and q3 = ±1", ["q2*(q2 - pi) = 0 and (q3 - 1)*(q3 - (-1)) = 0"]),
+        ("q2 = 0 and q3 = 0 or q1 = 0", ["q2 = 0 and q3 = 0", "q1"]),
+        ("(q2 = 0 and q3 = 0) or (q1 = 0)", ["q2 = 0 and q3 = 0", "q1"]),
+        ("q1 = 0, pi; (q2 = 0) and\n (q3 = 0)\na = b", ["q1", "q1 - pi", "q2 = 0 and q3 = 0", "a - b"]),
+        ("q2 = 0\nand q3 = 0", ["q2 = 0 and q3 = 0"]),
     ],
 )
 def test_conditions_are_left_side_minus_right_side(text: str, conditions: list[str]):
@@ -253,6 +270,13 @@ def test_a_free_integer_and_a_sign_run_through_all_values():
     assert len(found) == 18
     turns = {round(-2 * float(condition.at({"q2": 0.0})) / math.pi) for condition in found}
     assert turns == {-9, *range(-7, 8, 2), 9}
+
+
+def test_free_integers_of_equations_that_hold_at_once_run_each_for_itself():
+    (condition,) = typed_equations("q2 = k*pi and q3 = n*pi", NAMES)
+    for expression, name in zip(equations_of(condition), ("q2", "q3"), strict=True):
+        values = [float(expression.at({name: turns * math.pi / 2})) for turns in range(-9, 10)]
+        assert [value == 0 for value in values] == [abs(turns) < 9 and turns % 2 == 0 for turns in range(-9, 10)]
 
 
 def test_an_integer_that_is_a_name_is_the_name():
@@ -270,7 +294,19 @@ def test_an_integer_that_is_a_name_is_the_name():
         ("q2 = 0, q3", 8, "an equation takes two sides"),
         ("q2 = 0, s3", 8, "an equation takes two sides"),
         ("q2 = 0;; q3 = 0", 7, "an equation takes two sides"),
-        ("q2 = 0 and q3 = 0", 7, "conditions are listed with or or with semicolons, got and"),
+        ("q2 = 0 and", 10, "an equation takes two sides"),
+        ("and q2 = 0", 0, "an equation takes two sides"),
+        ("q2 = 0 and q3", 11, "an equation takes two sides"),
+        ("q2 = 0 and pi", 11, "an equation takes two sides"),
+        ("q2 = 0 or pi and q3 = 0", 10, "an equation takes two sides"),
+        ("q2 = 0 and 1 = 1", 11, "a condition takes a joint"),
+        ("q1 = 0, q2 = 0 and q3 = 0", 8, "beside 'and' a comma between equations may be an 'or' or an 'and'"),
+        ("s1, s2 and s3", 4, "beside 'and' a comma between equations may be an 'or' or an 'and'"),
+        ("q2 = k*pi and q3 = k*pi", 19, "'k' in two equations may be one and the same or not: list the values"),
+        ("q2 = ±1 and q3 = +-1", 17, "'±' in two equations may be one and the same or not"),
+        ("((q1 = 0 and q2 = 0) or q3 = 0) and a = b", 9, "brackets take one equation here"),
+        ("q1 = 0" + " and q1 = 0" * 8, 88, "up to 8 equations hold at once, got 9"),
+        ("q2 = 0 | q3 = 0", 7, "this bar may open or close"),
         ("1 = 0", 0, "a condition takes a joint"),
         ("k*pi", 0, "a condition takes a joint"),
         ("q2 =", 4, "a side of the equation is missing"),
