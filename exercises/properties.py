@@ -1,6 +1,7 @@
 """What makes an answer right where it is not unique: properties to check in place of a reference value."""
 
 from collections.abc import Callable, Sequence
+from itertools import product
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -27,6 +28,12 @@ def parallel(value: ArrayLike, direction: ArrayLike, tolerance: float, *, sign: 
         return False
     cosine = float(a @ b) / size
     return float(np.arccos(np.clip(cosine if sign else abs(cosine), -1, 1))) <= tolerance
+
+
+def is_guessable(direction: ArrayLike, angle: float = 0.05) -> bool:
+    """Whether a direction (n,) is within `angle` [rad] of one whose components are 0 and +-1, which a guess may hit."""
+    wanted = np.asarray(direction, dtype=float)
+    return any(parallel(guess, wanted, angle) for guess in product((-1, 0, 1), repeat=len(wanted)))
 
 
 def meets(J: ArrayLike, rates: ArrayLike, target: ArrayLike, allowed: ArrayLike) -> bool:

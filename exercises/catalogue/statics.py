@@ -12,11 +12,10 @@ from ..arm import Arm, Array, arm_of
 from ..draws import posture, until
 from ..exercise import Outcome
 from ..part import exercise, part
-from ..properties import parallel
+from ..properties import is_guessable, parallel
 
 ROBOT = ROBOTS["three_axis"]
 DIRECTION = 5e-3  # [rad]
-PLAIN = (*np.eye(3), np.ones(3))  # directions that might be guessed
 SINGULAR = 1e-5  # of the largest singular value; six decimals of q_s leave some 1e-6
 
 STATEMENT = r"""All three joints of this robot are revolute. Frame $i$ sits on the axis of joint $i$, with $\mathbf z^{i}$ along the axis:
@@ -51,7 +50,7 @@ def singular_posture(rng: np.random.Generator) -> list[float]:
 def is_telling(arm: Arm) -> bool:
     """Whether one direction alone is lost, and it is none that might be guessed."""
     lost = lost_directions(arm.J[:3], SINGULAR)
-    return len(lost) == 1 and not any(parallel(plain, lost[0], 0.2) for plain in PLAIN)
+    return len(lost) == 1 and not is_guessable(lost[0])
 
 
 def named_opposite(arm: Arm, q_s: Array, value: Array) -> Outcome:

@@ -3,13 +3,18 @@
 import numpy as np
 from kinegrade.exercises import questions as ask
 from kinegrade.exercises.answers import Choice, Configurations, Manual
-from kinegrade.exercises.draws import posture
+from kinegrade.exercises.arm import arm_of
+from kinegrade.exercises.draws import posture, until
 from kinegrade.exercises.part import exercise, part
-from kinegrade.exercises.properties import listed_right
+from kinegrade.exercises.properties import is_guessable, listed_right
+from kinegrade.solutions.ellipsoids import velocity_ellipsoid
 from kinegrade.solutions.robots import ROBOTS
 
 ARM = ROBOTS["planar_2r"]
-RUBRIC = ((1, "axes of the right lengths"), (1, "the force ellipse turned by 90 degrees"))
+
+
+def is_telling(v):
+    return not is_guessable(velocity_ellipsoid(arm_of(ARM, v).J[:2]).axes[:, 0])
 
 
 @part(1, Configurations(1), check=lambda best, value: listed_right(value, best, 2e-3))
@@ -24,7 +29,7 @@ def collapse():
     return "b"
 
 
-@part(2, Manual(RUBRIC, on_paper=True))
+@part(2, Manual(((2, "axes of the right lengths, turned by 90 degrees"),), on_paper=True))
 def sketch():
     """Sketch the ellipse at the hand and beside it the force ellipse"""
     return "Same axes; half axes 1/s1 and 1/s2."
@@ -35,7 +40,7 @@ EXERCISE = exercise(
     title="Manipulability of a planar arm",
     source="MIT 6.4210, 3.6",
     robot=ARM,
-    draw=lambda rng: posture(ARM, rng, regular=0.1),
+    draw=lambda rng: until(lambda: posture(ARM, rng, regular=0.1), is_telling),
     parts=[
         *(ask.jacobian(rows="task", points=2), ask.manipulability_formula(), ask.ellipsoid(rows="task")),
         *(ask.ellipsoid_axis(rows="task"), best, collapse, sketch),
