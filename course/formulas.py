@@ -86,7 +86,8 @@ def mathml(latex: str, display: str = "inline") -> str:
     """MathML of a formula, inline or as a block."""
     from latex2mathml.converter import convert
 
-    return _bold(convert(latex, display=display))
+    upright = re.sub(r"\\mathrm\{(\w)\}", r"\\text{\1}", latex)  # the converter sets a single letter, a unit, in italics
+    return _bold(convert(upright, display=display))
 
 
 def _bold(html: str) -> str:
