@@ -65,8 +65,9 @@ def _with_unit(value: float, unit: str) -> str:
 
 
 def unit_latex(unit: str) -> str:
-    """LaTeX of a unit such as m/rad."""
-    return rf"\mathrm{{{unit}}}"
+    """LaTeX of a unit such as m/rad or N m, with a thin space between two units."""
+    spaced = unit.replace(" ", r"\,")
+    return rf"\mathrm{{{spaced}}}"
 
 
 def page_text(text: str) -> str:
