@@ -22,9 +22,10 @@ from .config import Sheet, Student
 from .formulas import page_text
 from .nonsense import NONSENSE
 from .notebook import notebooks, worked_steps
+from .solved import unsolved
 from .variant import canonical
 
-KINDS = ("solve", "full marks", "nonsense", "mistakes", "printable", "render", "variants")
+KINDS = ("solve", "full marks", "nonsense", "mistakes", "printable", "render", "solution", "variants")
 LARGEST = 1e5  # a number that is still printed and typed with pleasure
 RENDERED = 2  # draws whose sheets are made in full, with figures
 CHUNK = 20  # draws that one process looks at in one go
@@ -142,7 +143,8 @@ def _failures(exercise: Exercise, v: dict[str, Any], seed: int) -> Iterator[Fail
         ("nonsense", _paid_nonsense(exercise, v, key)),
         ("mistakes", _unnamed_mistakes(exercise, v, key)),
         ("printable", _unprintable(exercise, key)),
-        ("render", _unrendered(exercise, v, key, in_full=seed < RENDERED)),
+        ("render", _unrendered(exercise, v, key)),
+        ("solution", _unsolved(exercise, v, key, seed)),
     ):
         yield from (Failure(kind, seed, part, sentence) for part, sentence in found)
 
@@ -201,8 +203,8 @@ def _unprintable(exercise: Exercise, key: AnswerKey) -> Found:
                 yield part.variable, f"all entries are zero at {part.answer.decimals} decimals"
 
 
-def _unrendered(exercise: Exercise, v: dict[str, Any], key: AnswerKey, *, in_full: bool) -> Found:
-    """Texts and worked solution of every draw; of the first ones the notebooks with their figures too."""
+def _unrendered(exercise: Exercise, v: dict[str, Any], key: AnswerKey) -> Found:
+    """Texts and worked solution."""
     texts = [exercise.statement(v)]
     for part in exercise.asked:
         page_text(part.prompt)
@@ -213,6 +215,12 @@ def _unrendered(exercise: Exercise, v: dict[str, Any], key: AnswerKey, *, in_ful
     for text in texts:
         if text.count("$") % 2:
             yield "", f"a dollar sign is left open in: {text[:60]}"
-    if in_full:
+
+
+def _unsolved(exercise: Exercise, v: dict[str, Any], key: AnswerKey, seed: int) -> Found:
+    """Of the first draws the notebooks with their figures; of the very first, the worked solution run and marked."""
+    if seed < RENDERED:
         sheet = Sheet(name="validate", exercises=(exercise.slug,))
-        notebooks("validate", sheet, Student("validate", "validate"), [(exercise, v)])
+        _, solution = notebooks("validate", sheet, Student("validate", "validate"), [(exercise, v)])
+        if seed == 0:
+            yield from unsolved(exercise, v, key, solution)
