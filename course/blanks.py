@@ -1,6 +1,11 @@
 """What stands in an answer cell: the blank a student fills in, and an answer in full, as a student could write it."""
 
+import ast
+import builtins
 import inspect
+import re
+import symtable
+import textwrap
 from collections.abc import Callable, Sequence
 from importlib.resources import files
 from typing import Any
@@ -89,10 +94,62 @@ _CODES: dict[type, Callable[[Part, Any], str]] = {
 
 
 def function_code(part: Part, function: Callable[..., Any]) -> str:
-    """The source of a reference function under the name of its part; it takes numpy as np and nothing else."""
-    source = inspect.getsource(function)
-    start = source.index("(")
-    return f"def {part.variable}{source[start:]}".rstrip()
+    """The source of a reference function under the name of its part; it takes numpy as np and nothing else.
+
+    What has no source of its own, such as a lambda, is a comment: `unprintable` says what would be right.
+    """
+    definition = _definition(function)
+    if definition is None:
+        return f"# {part.variable}: the reference function is not written with def, so it cannot be printed."
+    source, name = definition
+    return re.sub(rf"\Adef\s+{name}\b", f"def {part.variable}", source)
+
+
+def _definition(function: Callable[..., Any]) -> tuple[str, str] | None:
+    """Source of a function from its `def` on, without indentation, and its name there."""
+    try:
+        source = textwrap.dedent(inspect.getsource(function)).rstrip()
+        tree = ast.parse(source)
+    except (OSError, TypeError, SyntaxError):
+        return None
+    first = tree.body[0] if tree.body else None
+    if not isinstance(first, ast.FunctionDef):
+        return None
+    lines = source.splitlines()[first.lineno - 1 :]  # decorators are left out
+    return "\n".join(lines), first.name
+
+
+def unprintable(part: Part, function: Callable[..., Any]) -> str:
+    """Why the worked solution of a function would not run on a sheet; empty when it would."""
+    definition = _definition(function)
+    if definition is None:
+        return "the reference function cannot be printed as the worked solution: it takes a def of its own, no lambda"
+    missing = _missing_names(function_code(part, function), part.variable)
+    if not missing:
+        return ""
+    said = f"{', '.join(missing[:-1])} and {missing[-1]}" if len(missing) > 1 else missing[0]
+    return (
+        f"the reference function {definition[1]} uses {said}, which its worked solution does not have: printed on a "
+        "sheet it knows numpy as np and nothing else, so define helpers inside it and hand over numbers as arguments"
+    )
+
+
+def _missing_names(code: str, variable: str) -> list[str]:
+    """Names that some code reads and neither sets nor has as a builtin, in the order of the alphabet."""
+    table = symtable.symtable(code, "<worked solution>", "exec")
+    known = {*dir(builtins), "np", variable}
+    return sorted(_read_globals(table) - known)
+
+
+def _read_globals(table: symtable.SymbolTable) -> set[str]:
+    """Names that a scope, or a scope inside it, reads from the module."""
+    at_top = table.get_type() == "module"
+    found = {
+        symbol.get_name()
+        for symbol in table.get_symbols()
+        if symbol.is_referenced() and (symbol.is_global() or (at_top and not symbol.is_assigned()))
+    }
+    return found.union(*map(_read_globals, table.get_children()))
 
 
 def self_check(parts: Sequence[Part]) -> str:

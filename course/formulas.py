@@ -65,8 +65,9 @@ def _with_unit(value: float, unit: str) -> str:
 
 
 def unit_latex(unit: str) -> str:
-    """LaTeX of a unit such as m/rad."""
-    return rf"\mathrm{{{unit}}}"
+    """LaTeX of a unit such as m/rad or N m, with a thin space between two units."""
+    spaced = unit.replace(" ", r"\,")
+    return rf"\mathrm{{{spaced}}}"
 
 
 def page_text(text: str) -> str:
@@ -86,7 +87,9 @@ def mathml(latex: str, display: str = "inline") -> str:
     """MathML of a formula, inline or as a block."""
     from latex2mathml.converter import convert
 
-    upright = re.sub(r"\\mathrm\{(\w)\}", r"\\text{\1}", latex)  # the converter sets a single letter, a unit, in italics
+    upright = re.sub(
+        r"\\mathrm\{(\w)\}", r"\\text{\1}", latex
+    )  # the converter sets a single letter, a unit, in italics
     return _bold(convert(upright, display=display))
 
 

@@ -1,4 +1,4 @@
-"""What nobody shall get a point for: zeros, ones, another shape, the answer transposed."""
+"""What nobody shall get a point for: zeros, ones, another shape, the answer transposed, one result for all inputs."""
 
 from collections.abc import Callable
 from typing import Any
@@ -51,6 +51,18 @@ def _identity(shape: tuple[int, ...]) -> Array:
     return np.broadcast_to(np.eye(shape[-2], shape[-1]), shape).copy()
 
 
+def _commonest(answer: Answer, value: Any, v: Variant) -> Raw:
+    """A function that returns for every input what is right for most of them; nothing, where all results differ."""
+    if not isinstance(answer, Function):
+        return Raw("missing")
+    calls = [call for group in answer.inputs(v).values() for call in group]
+    results = [np.asarray(value(*call), dtype=float) for call in calls]
+    often = [sum(np.array_equal(result, other) for other in results) for result in results]
+    if max(often, default=0) < 2:
+        return Raw("missing")
+    return Raw("calls", [Raw("num", results[int(np.argmax(often))])] * len(calls))
+
+
 def _always(raw: Raw) -> Spoiled:
     def same(_: Answer, __: Any, ___: Variant) -> Raw:
         return raw
@@ -86,6 +98,7 @@ NONSENSE: dict[str, Spoiled] = {
     "None": _always(Raw("error", "not a matrix of numbers: None")),
     "'x'": _quoted_x,
     "NaN": _filled(lambda shape: np.full(shape, np.nan)),
+    "one result for all inputs": _commonest,
     "another shape": _filled(lambda shape: np.ones((*shape, 2))),
     "ones((1, 1))": _always(Raw("num", np.ones((1, 1)))),
     "empty": _as_empty,

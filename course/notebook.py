@@ -19,6 +19,7 @@ from ..exercises.exercise import (
     Manual,
     Numbers,
     Part,
+    Rows,
     Step,
     references,
 )
@@ -35,12 +36,17 @@ Pair = tuple[Exercise, dict[str, Any]]
 WIDTH = 380  # of a figure on the page, in pixels; the PNG has twice as many
 DECIMALS = 4  # of numbers in the worked solution of a part that asks for none
 KEY = "kinegrade"
+STACKED: dict[Rows, str] = {
+    "linear, angular": "the linear rows stand above the angular ones",
+    "angular, linear": "the angular rows stand above the linear ones",
+}
 SELF_CHECK = "## Self-check\n\nRun this cell at any time. It sees what is there, not whether it is right."
 
 
 def notebooks(course: str, sheet: Sheet, student: Student, pairs: Sequence[Pair]) -> tuple[bytes, bytes]:
     """What the student gets, and what the instructor keeps."""
-    questions = [question_text(number, exercise, v) for number, (exercise, v) in enumerate(pairs, 1)]
+    mixed = len(_orders(pairs)) > 1
+    questions = [question_text(number, exercise, v, order=mixed) for number, (exercise, v) in enumerate(pairs, 1)]
     heading = _heading(course, sheet, student, pairs)
     handout, solution = [_markdown(heading)], [_markdown(f"{heading}\n\n**Worked solution, for the instructor.**")]
     for cells in (handout, solution):
@@ -145,19 +151,34 @@ def _heading(course: str, sheet: Sheet, student: Student, pairs: Sequence[Pair])
             "variables: answers are collected by name. At the end restart the kernel and run all cells - the sheet is "
             "marked in that way, from top to bottom - then save and hand in this file."
         ),
-        (
-            "Units are metres, radians and seconds. In every Jacobian and twist the linear rows stand above the "
-            "angular ones. Round only what you hand in, and compute on with all digits."
+        " ".join(
+            [
+                "Units are metres, radians and seconds.",
+                *_order_of_all(pairs),
+                "Round only what you hand in, and compute on with all digits.",
+            ]
         ),
     ]
     return "\n\n".join(lines)
 
 
-def question_text(number: int, exercise: Exercise, v: dict[str, Any]) -> str:
-    """Markdown of an exercise's heading, statement, numbers and figures."""
+def _orders(pairs: Sequence[Pair]) -> set[Rows]:
+    return {exercise.rows for exercise, _ in pairs}
+
+
+def _order_of_all(pairs: Sequence[Pair]) -> Iterator[str]:
+    """The order of rows, where the exercises of a sheet agree on one; else each of them says its own."""
+    orders = _orders(pairs)
+    if len(orders) == 1:
+        yield f"In every Jacobian and twist {STACKED[orders.pop()]}."
+
+
+def question_text(number: int, exercise: Exercise, v: dict[str, Any], *, order: bool = False) -> str:
+    """Markdown of heading, statement, numbers and figures; with `order`, it says which rows come first."""
     parts = (
         f"## {number}. {exercise.title} ({points_text(exercise.points)})",
         f"*{' '.join(exercise.objectives)}*" if exercise.objectives else "",
+        f"In the Jacobians and twists of this exercise {STACKED[exercise.rows]}." if order else "",
         exercise.statement(v),
         *_given_numbers(exercise, v),
         *_figures(exercise.drawings(v)),
@@ -220,6 +241,8 @@ def prompt_text(part: Part, *, hints: bool) -> str:
 def _asked(part: Part) -> str:
     if isinstance(part.answer, Numbers) and part.answer.decimals:
         return f" Give {part.answer.decimals} decimals."
+    if isinstance(part.answer, Configurations) and part.answer.in_order:
+        return f" Give {part.answer.decimals} decimals, row after row in their order."
     if isinstance(part.answer, Conditions | Configurations):
         return " A wrong one costs a right one."
     if isinstance(part.answer, Manual):

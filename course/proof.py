@@ -20,6 +20,7 @@ from .config import Sheet, Student
 from .formulas import page_text
 from .nonsense import NONSENSE
 from .notebook import notebooks, worked_steps
+from .solved import unsolved
 
 LARGEST = 1e5  # a number that is still printed and typed with pleasure
 RENDERED = 2  # draws whose sheets are made in full, with figures
@@ -43,7 +44,8 @@ def failures_of(exercise: Exercise, v: dict[str, Any], seed: int) -> Iterator[Fa
         ("nonsense", _paid_nonsense(exercise, v, key)),
         ("mistakes", _unnamed_mistakes(exercise, v, key)),
         ("printable", _unprintable(exercise, key)),
-        ("render", _unrendered(exercise, v, key, in_full=seed < RENDERED)),
+        ("render", _unrendered(exercise, v, key)),
+        ("solution", _unsolved(exercise, v, key, seed)),
     ):
         for part, sentence in _told(found):
             yield Failure(kind, seed, part, sentence)
@@ -122,8 +124,8 @@ def _unprintable(exercise: Exercise, key: AnswerKey) -> Found:
                 yield part.variable, f"all entries are zero at {part.answer.decimals} decimals"
 
 
-def _unrendered(exercise: Exercise, v: dict[str, Any], key: AnswerKey, *, in_full: bool) -> Found:
-    """Texts and worked solution of every draw; of the first ones the notebooks with their figures too."""
+def _unrendered(exercise: Exercise, v: dict[str, Any], key: AnswerKey) -> Found:
+    """Texts and worked solution."""
     texts = [exercise.statement(v)]
     for part in exercise.asked:
         page_text(part.prompt)
@@ -134,6 +136,13 @@ def _unrendered(exercise: Exercise, v: dict[str, Any], key: AnswerKey, *, in_ful
     for text in texts:
         if text.count("$") % 2:
             yield "", f"a dollar sign is left open in: {text[:60]}"
-    if in_full:
-        sheet = Sheet(name="validate", exercises=(exercise.slug,))
-        notebooks("validate", sheet, Student("validate", "validate"), [(exercise, v)])
+
+
+def _unsolved(exercise: Exercise, v: dict[str, Any], key: AnswerKey, seed: int) -> Found:
+    """Of the first draws the notebooks with their figures; of the very first, the worked solution run and marked."""
+    if seed >= RENDERED:
+        return
+    sheet = Sheet(name="validate", exercises=(exercise.slug,))
+    _, solution = notebooks("validate", sheet, Student("validate", "validate"), [(exercise, v)])
+    if seed == 0:
+        yield from unsolved(exercise, v, key, solution)

@@ -4,10 +4,10 @@ import math
 import re
 import textwrap
 from collections.abc import Callable, Iterator, Sequence
-from typing import Any
+from typing import Any, cast
 
 from ..exercises.answers import Choice, Conditions, Configurations, Formulas, Function, Manual
-from ..exercises.exercise import Exercise, Numbers, Part, TableOf
+from ..exercises.exercise import Exercise, Numbers, Part, Rows, TableOf
 from .config import SCRIPT_NAME, CourseError, Sheet, Student
 from .escape import printable
 
@@ -16,6 +16,10 @@ WIDTH = 100
 LONG = 72  # of a matrix, beside its name and unit
 NEWLINE = "\n"
 UNREADABLE = ("$", "\\", "|", "](", "<")  # formulas, tables, links and markup: those are read in the notebook
+STACKED: dict[Rows, str] = {
+    "linear, angular": "linear rows above angular",
+    "angular, linear": "angular rows above linear",
+}
 EXAMPLE = "{'q1 + pi', 0.25, 'd1', 'pi/3'; ...}"
 
 
@@ -35,7 +39,7 @@ def starter(course: str, sheet: Sheet, student: Student, pairs: Sequence[Pair]) 
         lines += [f"%% {number}. {_one_line(exercise.title)} ({_points(exercise.points)})"]
         lines += [*_statement(exercise, sheet, v), *_given(exercise, v), ""]
         for part in exercise.asked:
-            lines += [*_blank(part, v), ""]
+            lines += [*_blank(part, (exercise, v)), ""]
     return "\n".join([*lines, *_saving(sheet, handed_in)]) + "\n"
 
 
@@ -71,9 +75,17 @@ def _given(exercise: Exercise, v: dict[str, Any]) -> Iterator[str]:
 
 
 def _pieces(value: Any) -> list[str]:
-    """A value as MATLAB writes it; the rows of a matrix that is too long for one line each in a piece."""
-    text = literal(value.tolist() if hasattr(value, "tolist") else value)
+    """A value as MATLAB writes it; the rows of a matrix, and the fields of a dict, each in a piece if it is long."""
+    text = literal(value)
+    if isinstance(value, dict) and len(text) > LONG:
+        first, *others = _fields(cast("dict[Any, Any]", value))
+        return _closed([f"struct({first}", *others])
     return re.split(r"(?<=;) ", text) if len(text) > LONG and re.fullmatch(r"\[[^'{]*\]", text) else [text]
+
+
+def _closed(fields: Sequence[str]) -> list[str]:
+    """Fields of a structure with the commas between them and the bracket at the end."""
+    return [*(f"{field}," for field in fields[:-1]), f"{fields[-1]})"]
 
 
 def _continued(pieces: Sequence[str]) -> str:
@@ -91,22 +103,37 @@ def _units(unit: Any) -> Iterator[str]:
 
 
 def literal(value: Any) -> str:
-    """A drawn value as MATLAB writes it: numbers, text, rows; lists of matrices and of mixed things are cell arrays.
+    """A value as MATLAB writes it: numbers, text, rows; lists of matrices and of mixed things are cell arrays.
+
+    A dict is a structure of fields; a field that holds a cell array stands in a second pair of braces, without which
+    MATLAB would make an array of structures.
 
     Raises:
-        CourseError: it is of another kind.
+        CourseError: it is of another kind, or a name in a dict is none in MATLAB.
     """
-    if value is None:
-        return "[]"
-    if isinstance(value, bool):
-        return "true" if value else "false"
+    if hasattr(value, "tolist"):
+        return literal(value.tolist())
+    if value is None or isinstance(value, bool):
+        return {None: "[]", True: "true", False: "false"}[value]
     if isinstance(value, int | float):
         return {math.inf: "Inf", -math.inf: "-Inf"}.get(value, "NaN" if value != value else repr(value))  # noqa: PLR0124
     if isinstance(value, str):
         return _char(value)
     if isinstance(value, list | tuple):
         return _rows([*value])  # pyright: ignore[reportUnknownArgumentType]
-    raise CourseError(f"a number of a sheet with matlab = true takes numbers, text and lists, got {value!r}")
+    if isinstance(value, dict):
+        return f"struct({', '.join(_fields(cast('dict[Any, Any]', value)))})"
+    raise CourseError(f"a value on a sheet with matlab = true takes numbers, text, lists and dicts, got {value!r:.60}")
+
+
+def _fields(value: dict[Any, Any]) -> Iterator[str]:
+    for name, inner in value.items():
+        if not isinstance(name, str) or not SCRIPT_NAME.fullmatch(name):
+            raise CourseError(
+                f"a dict on a sheet with matlab = true takes names of MATLAB, such as 'kinds', got {name!r}"
+            )
+        text = literal(inner)
+        yield f"{_char(name)}, {f'{{{text}}}' if text.startswith('{') else text}"
 
 
 def _rows(items: list[Any]) -> str:
@@ -125,57 +152,59 @@ def _char(text: str) -> str:
     return pieces[0] if len(pieces) == 1 else f"[{', 10, '.join(pieces)}]"
 
 
-def _blank(part: Part, v: dict[str, Any]) -> Iterator[str]:
+def _blank(part: Part, pair: Pair) -> Iterator[str]:
     """Comments and a blank for one part."""
     head = f"{part.variable} ({_points(part.points)})"
     yield from _comment(f"{head}: {part.prompt}." if _readable(part.prompt) else head)
     if _on_paper(part):
         yield from _comment("On paper: nothing is expected in this file.")
         return
-    yield from BLANKS[type(part.answer)](part.variable, part.answer, v)
+    yield from BLANKS[type(part.answer)](part.variable, part.answer, pair)
 
 
 def _on_paper(part: Part) -> bool:
     return isinstance(part.answer, Manual) and part.answer.on_paper
 
 
-def _numbers(name: str, answer: Numbers, _: Any) -> Iterator[str]:
+def _numbers(name: str, answer: Numbers, pair: Pair) -> Iterator[str]:
     decimals = f"{answer.decimals} decimals"
     if len(answer.shape) > 2:
         count, inner = answer.shape[0], " x ".join(map(str, answer.shape[1:]))
         yield f"{name} = {{}};  % {count} matrices of {inner} numbers: {{first, second, ...}}; {decimals}"
         return
-    rows = ", linear rows above angular" if answer.shape[:1] == (6,) else ""
+    rows = f", {STACKED[pair[0].rows]}" if answer.has_blocks else ""
     shape = " x ".join(map(str, answer.shape)) + " numbers" if answer.shape else "one number"
     yield f"{name} = [];  % {shape}{rows}; {decimals}"
 
 
-def _table(name: str, answer: TableOf, _: Any) -> Iterator[str]:
+def _table(name: str, answer: TableOf, _: Pair) -> Iterator[str]:
     yield f"{name} = {{}};  % {len(answer.kinds)} rows theta, d, a, alpha, such as {EXAMPLE}"
 
 
-def _formulas(name: str, answer: Formulas, _: Any) -> Iterator[str]:
+def _formulas(name: str, answer: Formulas, _: Pair) -> Iterator[str]:
     shape = " x ".join(map(str, answer.shape)) + " formulas" if answer.shape else "a formula"
     whole = "a symbolic matrix" if answer.shape else "a symbolic one"
     yield f"{name} = '';  % {shape} as text: '...', or char(...) of {whole}"
 
 
-def _choice(name: str, answer: Choice, _: Any) -> Iterator[str]:
+def _choice(name: str, answer: Choice, _: Pair) -> Iterator[str]:
     for letter, option in zip(answer.letters, answer.options, strict=False):
         yield from _comment(f"  {letter}: {option if _readable(option) else 'see the notebook'}")
     yield f"{name} = '';  % one of {', '.join(answer.letters)}"
 
 
-def _conditions(name: str, _: Conditions, __: Any) -> Iterator[str]:
+def _conditions(name: str, _: Conditions, __: Pair) -> Iterator[str]:
     yield f"{name} = {{''}};  % equations, such as {{'sin(q1) = 0', 'q2 = q3'}}"
 
 
-def _configurations(name: str, answer: Configurations, _: Any) -> Iterator[str]:
+def _configurations(name: str, answer: Configurations, _: Pair) -> Iterator[str]:
     numbers = "1 number" if answer.joints == 1 else f"{answer.joints} numbers"
-    yield f"{name} = [];  % a row of {numbers} for every configuration; {answer.decimals} decimals"
+    each = "step, in their order" if answer.in_order else "configuration"
+    yield f"{name} = [];  % a row of {numbers} for every {each}; {answer.decimals} decimals"
 
 
-def _function(name: str, answer: Function, v: Any) -> Iterator[str]:
+def _function(name: str, answer: Function, pair: Pair) -> Iterator[str]:
+    v = pair[1]
     calls = [call for group in answer.published(v).values() for call in group] if answer.published else []
     if not calls:
         yield f"{name} = {{}};  % a Python function {name}{_one_line(answer.signature)}: hand in the notebook"
@@ -195,11 +224,11 @@ def _call(arguments: Sequence[Any]) -> str:
     return _continued(["    {", *lines[:-1], lines[-1][:-1], "}; ..."])
 
 
-def _manual(name: str, _: Manual, __: Any) -> Iterator[str]:
+def _manual(name: str, _: Manual, __: Pair) -> Iterator[str]:
     yield f"{name} = '';  % your text; ['first line' newline 'second line'] has two lines"
 
 
-BLANKS: dict[type, Callable[[str, Any, dict[str, Any]], Iterator[str]]] = {
+BLANKS: dict[type, Callable[[str, Any, Pair], Iterator[str]]] = {
     Numbers: _numbers,
     TableOf: _table,
     Formulas: _formulas,

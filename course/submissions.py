@@ -1,11 +1,12 @@
 """What students handed in: found by name, read as bytes, turned into raw values."""
 
+import logging
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from ..exercises.exercise import Exercise, Function, Part, Variant
-from ..grader.ask import Ask, Limits
+from ..grader.ask import Ask, AskError, Limits
 from ..grader.collect import cannot_run, collect
 from ..grader.mat_file import cannot_read, from_mat
 from ..grader.named_matrices import from_csv, from_json
@@ -13,6 +14,7 @@ from ..grader.wire import Raw
 from .config import CourseError
 from .escape import printable
 
+log = logging.getLogger(__name__)
 MAX_BYTES = 25 << 20
 Reader = Callable[[bytes, Sequence[Ask], Limits], dict[str, Raw]]
 READERS: dict[str, Reader] = {
@@ -33,14 +35,19 @@ class Submission:
     data: bytes
 
     def asks(self, exercise: Exercise, v: Variant) -> list[Ask]:
-        """What to bring back: functions of a notebook are called, a file holds the results of the published calls."""
+        """What to bring back: functions of a notebook are called, a file holds the results of the published calls.
+
+        A part whose calls cannot be made has an Ask that says why; all others are asked for.
+        """
         return [_ask(part, v, published=self.path.suffix != ".ipynb") for part in exercise.asked]
 
     def raws(self, asks: Sequence[Ask], limits: Limits) -> dict[str, Raw]:
         """The asked values; runs the notebook, or reads the file of matrices."""
-        found = READERS[self.path.suffix](self.data, asks, limits)
+        found = {ask.name: Raw("unasked", ask.hindrance) for ask in asks if ask.hindrance}
+        asked = [ask for ask in asks if not ask.hindrance]
+        found |= READERS[self.path.suffix](self.data, asked, limits)
         if self.path.suffix == ".ipynb":
-            return found | {ask.name: _called(found[ask.name]) for ask in asks if ask.calls}
+            return found | {ask.name: _called(found[ask.name]) for ask in asked if ask.calls}
         return found
 
 
@@ -55,7 +62,13 @@ def _ask(part: Part, v: Variant, *, published: bool) -> Ask:
     if not isinstance(part.answer, Function):
         return Ask(part.variable)
     inputs = part.answer.published if published and part.answer.published else part.answer.inputs
-    return Ask(part.variable, tuple(call for group in inputs(v).values() for call in group))
+    try:
+        return Ask(part.variable, tuple(call for group in inputs(v).values() for call in group))
+    except AskError as error:
+        return Ask(part.variable, hindrance=str(error))
+    except Exception as error:  # an exercise may fail in any way on a student's numbers
+        log.exception("%s: its inputs could not be made", part.variable)
+        return Ask(part.variable, hindrance=f"its inputs stopped with {type(error).__name__}: {error}")
 
 
 def find_submission(folder: Path, student: str, sheet: str) -> Submission | None:

@@ -19,7 +19,7 @@ from .drawn import drawn, prove_drawn
 from .proof import Failure, because, failures_of
 from .variant import canonical
 
-KINDS = ("solve", "full marks", "nonsense", "mistakes", "printable", "render", "variants")
+KINDS = ("solve", "full marks", "nonsense", "mistakes", "printable", "render", "solution", "variants")
 TRIED = 4  # draws after which it is known how long the others take
 WORTH = 3.0  # seconds of work that is worth starting processes for
 CHUNK = 20  # draws that one process looks at in one go

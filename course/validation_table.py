@@ -15,7 +15,7 @@ from .validate import KINDS, Validation, summary
 
 def show_validations(validations: Sequence[Validation]) -> None:
     """One line for every exercise on stdout, then the first failures of each."""
-    console = Console() if sys.stdout.isatty() else Console(width=140)
+    console = Console() if sys.stdout.isatty() else Console(width=160)
     console.print(table_of(validations))
     for validation in validations:
         for line in summary(validation):

@@ -3,19 +3,21 @@
 import hashlib
 import hmac
 import json
+import logging
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from ..exercises.exercise import Exercise, ExerciseError, references
+from ..exercises.exercise import Exercise, ExerciseError, Part, references
 from ..exercises.loading import stopped
 from ..exercises.values import pictured
 from ..solutions.errors import KinegradeError
 from .drawn import drawn
 
 ATTEMPTS = 1000
+log = logging.getLogger(__name__)
 
 
 @dataclass(frozen=True)
@@ -89,19 +91,35 @@ def _solved(student: str, exercise: Exercise, numbers: dict[str, Any]) -> dict[s
 def fingerprint(exercise: Exercise, numbers: dict[str, Any]) -> dict[str, Any]:
     """Every reference answer as numbers, rounded to 1e-9: it moves when a file, a row or a library changes one."""
     answers = references(exercise, numbers)
-    pictures = {part.variable: pictured(part.answer, answers[part.variable], numbers) for part in exercise.parts}
-    return {
-        name: (np.round(picture, 9) + 0.0).tolist()  # no minus zero in the record
-        for name, picture in pictures.items()
-        if picture is not None
-    }
+    pictures = {part.variable: _picture(part, answers[part.variable], numbers) for part in exercise.parts}
+    return {name: picture for name, picture in pictures.items() if picture is not None}
+
+
+def _picture(part: Part, answer: Any, numbers: dict[str, Any]) -> Any:
+    picture = pictured(part.answer, answer, numbers)
+    return None if picture is None else (np.round(picture, 9) + 0.0).tolist()  # no minus zero in the record
 
 
 def moved_parts(record: Record, exercise: Exercise) -> list[str]:
-    """Parts whose reference is no longer what was recorded when the sheet was handed out."""
-    now = fingerprint(exercise, record.numbers)
-    names = sorted(set(now) ^ set(record.answers))
-    return names + [name for name in now if name in record.answers and not _close(now[name], record.answers[name])]
+    """Parts whose reference is no longer what was recorded when the sheet was handed out, or cannot be pictured."""
+    answers = references(exercise, record.numbers)
+    moved = sorted(set(record.answers) - set(answers))
+    for part in exercise.parts:
+        try:
+            now = _picture(part, answers[part.variable], record.numbers)
+        except Exception:  # the inputs of a function may fail in any way; the other parts are marked all the same
+            log.exception("%s cannot be compared with what was recorded", part.variable)
+            moved.append(part.variable)
+            continue
+        if not _same(now, record.answers.get(part.variable)):
+            moved.append(part.variable)
+    return moved
+
+
+def _same(now: Any, recorded: Any) -> bool:
+    if now is None or recorded is None:
+        return now is None and recorded is None
+    return _close(now, recorded)
 
 
 def _close(a: Any, b: Any) -> bool:

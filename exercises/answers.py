@@ -29,6 +29,12 @@ class Numbers:
         """Units of shape `shape`: "m", "m/rad", "rad/s", "1" ..."""
         return np.broadcast_to(np.array(self.units), self.shape)
 
+    @property
+    def has_blocks(self) -> bool:
+        """Whether there are six rows, three linear and three angular ones; six rates or torques [N m] are of joints."""
+        units = {str(unit) for unit in self.unit_of_entries().ravel()}
+        return self.shape[:1] == (6,) and (len(units) > 1 or units == {"1"})
+
 
 @dataclass(frozen=True)
 class TableOf:
@@ -84,22 +90,30 @@ class Conditions:
 class Configurations:
     """A list of up to `most` configurations of `joints` numbers each, judged by the part's `check`.
 
-    Its value is an array (m, joints); with one joint a plain list is read too.
+    Its value is an array (m, joints); with one joint a plain list is read too. How many rows there are is not said on
+    the sheet. `in_order` are rows that follow one another, such as the iterates of a method; without, a sheet says that a
+    wrong one costs a right one.
     """
 
     joints: int
     units: str | Sequence[Any] = "rad"
     decimals: int = 4
     most: int = 32
+    in_order: bool = False
 
 
 @dataclass(frozen=True)
 class Function:
     """A Python function, called on inputs that the student has not seen.
 
-    `signature` is its head without the name of the variable, such as "(q)". `inputs(v)` are the arguments by group,
-    arrays as nested lists; a group of calls is one item of the feedback. An answer agrees within `tolerance` of the
-    reference, which is a function too. `published(v)` are the calls whose results a student without Python hands in.
+    `signature` is its head without the name of the variable, such as "(q)". `inputs(v)` are the arguments by group: a
+    tuple for every call, of numbers, text, and lists and dicts of them. Numbers in equal rows arrive as float arrays,
+    inside dicts and lists too; other lists stay lists. The reference, which is a function too, gets the same.
+
+    An answer agrees within `tolerance` of the reference; a part's own `check` gets `Results` and judges instead. A
+    group of calls is one item of the feedback and earns its share when all of it is right. Where all its results are alike,
+    such as zeros, it does so only beside a right result of another kind: a constant function earns nothing.
+    `published(v)` are the calls whose results a student without Python hands in.
     """
 
     signature: str

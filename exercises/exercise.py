@@ -9,12 +9,13 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from keyword import iskeyword
-from typing import Any, Literal
+from typing import Any, Literal, cast, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from ..solutions.errors import KinegradeError
+from ..solutions.units import UnitError, refuse_unknown_unit
 from .answers import (
     Answer,
     Choice,
@@ -28,6 +29,7 @@ from .answers import (
     Variant,
 )
 from .drawing import Drawing
+from .results import Results
 from .values import declared
 
 __all__ = [
@@ -46,6 +48,8 @@ __all__ = [
     "Numbers",
     "Outcome",
     "Part",
+    "Results",
+    "Rows",
     "Step",
     "TableOf",
     "Variant",
@@ -57,7 +61,7 @@ Given = Mapping[str, Any]
 """Earlier answers by variable, each of its declared type, whoever gave it: the reference or the student."""
 Credit = Literal["entry", "column", "block", "all"]
 Rows = Literal["linear, angular", "angular, linear"]
-"""Which rows of a Jacobian or twist stand on top."""
+"""Which rows of a Jacobian, and which half of a twist, stand above the others."""
 
 
 class ExerciseError(KinegradeError):
@@ -69,10 +73,11 @@ class Outcome:
     """What a part's own `check` found: which entries are right, how the answer was read, and a finding.
 
     `right` is None where the usual comparison with the reference shall decide. `share` of the points is earned where
-    the right entries alone do not say it.
+    the right entries alone do not say it. Of a function, `right` has a flag for every group of calls (`Results`), or a
+    list of flags, one for each of its calls.
     """
 
-    right: ArrayLike | None = None
+    right: ArrayLike | Sequence[bool | Sequence[bool]] | None = None
     reading: str = ""
     finding: str = ""
     share: float | None = None
@@ -106,8 +111,8 @@ class Part:
 
     An unasked part (`asked=False`) is an intermediate that is rounded for the tolerance but never printed. `follow` is
     the share of the points for an answer that is right from the student's own, wrong, earlier answers. `credit` says
-    whether marks go to entries, to whole columns, to blocks of three rows (linear, angular), or to the whole answer
-    only. `tolerance` overrides the derived one.
+    whether marks go to entries, to whole columns, to blocks of three rows (linear ones, angular ones), or to the whole
+    answer only. `tolerance` overrides the derived one.
     """
 
     variable: str
@@ -134,9 +139,10 @@ class Exercise:
     there is not printed. `hidden` names drawn numbers that stay with the instructor, such as the inputs of a function;
     `structure` names drawn choices of form, which are neither printed nor secret and can be pinned for a whole class.
     `symbols` are the LaTeX of printed names that are more than letters and an index.
-    `scale(v)` is a typical length [m] that linear tolerances are measured against. `rows` is the order of the rows of
-    every Jacobian and twist. `named` are the names of which every one is drawn for some student. `robot` names a robot
-    of the catalogue whose map stands in the report.
+    `scale(v)` is a typical length [m] that linear tolerances are measured against. `named` are the names of which every
+    one is drawn for some student. `robot` names a robot of the catalogue whose map stands in the report.
+    `rows` is the order of rows in every Jacobian and twist of the exercise: what the sheet says of it and what
+    findings say follow it; `solve` and the units of an answer stand in that order themselves.
     """
 
     slug: str
@@ -162,11 +168,18 @@ class Exercise:
 
         Raises:
             ExerciseError: a variable that is not unique, a need that is not an earlier part, points that are not
-                positive, or a prompt that is missing.
+                positive, a prompt that is missing, a unit that is unknown, or another order of rows.
         """
+        if self.rows not in get_args(Rows):
+            orders = " or ".join(map(repr, get_args(Rows)))
+            raise ExerciseError(f"exercise {self.slug}: rows takes {orders}, got {self.rows!r}")
+        for name, unit in self.units.items():
+            _check_units(f"exercise {self.slug}: units of {name}", unit)
         known: dict[str, Part] = {}
         for part in self.parts:
             _check_part(self.slug, part, known)
+            if isinstance(part.answer, Numbers | Configurations):
+                _check_answer_units(f"exercise {self.slug}: units of {part.variable}", part.answer)
             known[part.variable] = part
 
     @property
@@ -198,6 +211,27 @@ def _check_part(slug: str, part: Part, known: Mapping[str, Part]) -> None:
     rubric = sum(points for points, _ in part.answer.rubric) if isinstance(part.answer, Manual) else part.points
     if not math.isclose(rubric, part.points):
         raise ExerciseError(f"exercise {slug}: {name} has {part.points:g} points, its rubric {rubric:g}")
+
+
+def _check_units(where: str, units: Any) -> None:
+    """Refuses a text among nested units that is none."""
+    if isinstance(units, list | tuple | np.ndarray):
+        for inner in cast("Sequence[Any]", units):
+            _check_units(where, inner)
+        return
+    try:
+        refuse_unknown_unit(units)
+    except UnitError as error:
+        raise ExerciseError(f"{where}: {error}") from error
+
+
+def _check_answer_units(where: str, answer: Numbers | Configurations) -> None:
+    _check_units(where, answer.units)
+    if isinstance(answer, Numbers):
+        try:
+            answer.unit_of_entries()
+        except ValueError as error:
+            raise ExerciseError(f"{where} take the shape of its entries, {answer.shape}, or one unit") from error
 
 
 def references(exercise: Exercise, v: Variant) -> dict[str, Any]:

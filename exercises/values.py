@@ -1,6 +1,7 @@
 """Values of answers: brought to the declared kind, and pictured as plain numbers for records and comparisons."""
 
 from collections.abc import Callable, Iterable, Sequence
+from functools import wraps
 from typing import Any, cast
 
 import numpy as np
@@ -24,6 +25,7 @@ from .answers import (
     TableOf,
     Variant,
 )
+from .arguments import arrived
 
 PICTURES = 3  # points at which formulas are recorded
 
@@ -50,7 +52,7 @@ def names_on_sheet(names: Iterable[str], v: Variant) -> tuple[str, ...]:
 def pictured(answer: Answer, value: Any, v: Variant) -> NDArray[np.float64] | None:
     """Numbers that a declared value comes to, None for what is marked by hand.
 
-    Tables become their cells at the variant's q, formulas their values at three fixed points (3, ...), choices the
+    Tables become their cells at the variant's q (at fixed joint values where none is drawn), formulas their values at three fixed points (3, ...), choices the
     place of the letter, functions their results for the first call of each group.
     """
     return _PICTURED[type(answer)](answer, value, v)
@@ -61,6 +63,14 @@ def table_numbers(table: Table, v: Variant, q: Any) -> NDArray[np.float64]:
     joints = np.asarray(q, dtype=float)
     lengths = {name: x for name, x in v.items() if isinstance(x, int | float)}
     return table.numbers({**lengths, **{name: joints[..., i] for i, name in enumerate(table.joints)}})
+
+
+def posture(joints: Sequence[str], v: Variant) -> NDArray[np.float64]:
+    """The variant's q (n,); where none is drawn, values that are the same for everybody."""
+    if "q" in v:
+        return np.asarray(v["q"], dtype=float)
+    values = sample(joints, 1)
+    return np.array([values[joint][0] for joint in joints])
 
 
 def _numbers(answer: Numbers, value: Any, _: Variant) -> NDArray[np.float64]:
@@ -131,7 +141,12 @@ def _configurations(answer: Configurations, value: Any, _: Variant) -> NDArray[n
 def _function(_: Function, value: Any, __: Variant) -> Callable[..., Any]:
     if not callable(value):
         raise ValueKindError(f"takes a function, got {type(value).__name__}")
-    return value
+
+    @wraps(value)
+    def called(*call: Any) -> Any:
+        return value(*map(arrived, call))  # as a student's function gets them
+
+    return called
 
 
 def _manual(_: Manual, value: Any, __: Variant) -> str:
@@ -157,7 +172,7 @@ def _as_it_is(_: Answer, value: NDArray[np.float64], __: Variant) -> NDArray[np.
 
 
 def _cells(_: TableOf, value: Table, v: Variant) -> NDArray[np.float64]:
-    return table_numbers(value, v, v["q"])
+    return table_numbers(value, v, posture(value.joints, v))
 
 
 def _nothing(*_: Any) -> None:

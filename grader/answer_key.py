@@ -1,7 +1,8 @@
 """What one variant's answers are compared with: reference, tolerance and the entries that carry points, made once."""
 
+import json
 from dataclasses import dataclass, replace
-from functools import cached_property, lru_cache
+from functools import cached_property, lru_cache, wraps
 from typing import Any
 
 import numpy as np
@@ -23,13 +24,18 @@ def remembering(value: Any) -> Any:
         return value
     results: dict[str, Any] = {}
 
+    @wraps(value)
     def remembered(*call: Any) -> Any:
-        name = repr(call)
+        name = json.dumps(call, default=_plain)  # repr() leaves out what is in the middle of an array
         if name not in results:
             results[name] = value(*call)
         return results[name]
 
     return remembered
+
+
+def _plain(value: Any) -> Any:
+    return value.tolist() if hasattr(value, "tolist") else repr(value)
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,13 +1,15 @@
 """What to bring back from a submission, and what bringing it back may use."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
 from ..solutions.errors import KinegradeError
 
 MAX_CALLS = 200
+MAX_DEPTH = 8
 
 
 class AskError(KinegradeError):
@@ -18,22 +20,26 @@ class AskError(KinegradeError):
 class Ask:
     """One variable to bring back; `calls` are the arguments of each call, where it shall hold a function.
 
-    An argument is a number, text, or a nested list of numbers, which reaches the function as a new float array.
+    An argument is a number, text, or a list or dict of arguments, with text as names. Numbers in equal rows reach the
+    function as a new float array, in dicts and lists too; all other lists stay lists. `hindrance` says why the calls
+    cannot be made: then nothing is brought back, and the part waits for the instructor.
 
     Raises:
-        AskError: another kind of argument, a list with rows of different lengths, or more than 200 calls.
+        AskError: another kind of argument, more than eight lists and dicts inside one another, or more than 200 calls.
     """
 
     name: str
     calls: tuple[tuple[Any, ...], ...] = ()
+    hindrance: str = ""
 
     def __post_init__(self) -> None:
         """Refuses arguments here, where it is our mistake; in the student's process it would be the student's."""
         if len(self.calls) > MAX_CALLS:
             raise AskError(f"{self.name}: at most {MAX_CALLS} calls can be asked for, got {len(self.calls)}")
         for number, call in enumerate(self.calls, 1):
-            for argument in call:
-                _check(f"{self.name}, call {number}", argument)
+            where = f"{self.name}, call {number}"
+            for argument in _arguments(where, call):
+                _check(where, argument)
 
 
 @dataclass(frozen=True)
@@ -50,12 +56,36 @@ class Limits:
     file_mb: int = 16
 
 
-def _check(where: str, argument: Any) -> None:
-    if isinstance(argument, int | float | str):
+def _arguments(where: str, call: Any) -> Iterable[Any]:
+    """The arguments of a call; an exercise file may have forgotten the tuple around one."""
+    if not isinstance(call, tuple | list):
+        raise AskError(f"{where}: a call takes a tuple of its arguments, such as (q,), got {call!r:.60}")
+    return cast("Iterable[Any]", call)
+
+
+def _check(where: str, argument: Any, depth: int = MAX_DEPTH) -> None:
+    """Refuses what would not reach the function as it stands here."""
+    if isinstance(argument, str):
         return
-    try:
-        if not isinstance(argument, list | tuple | np.ndarray):
-            raise TypeError(type(argument).__name__)  # noqa: TRY301 - one sentence for all
-        np.array(argument, dtype=float)  # pyright: ignore[reportUnknownArgumentType]
-    except (TypeError, ValueError) as error:
-        raise AskError(f"{where}: an argument takes a number, text or a list of equal rows, got {error}") from error
+    if isinstance(argument, int | float | np.ndarray | np.generic):
+        _check_numbers(where, argument)
+        return
+    if depth == 0:
+        raise AskError(f"{where}: an argument takes up to {MAX_DEPTH} lists and dicts inside one another, got more")
+    if isinstance(argument, dict):
+        for name, value in cast("dict[Any, Any]", argument).items():
+            if not isinstance(name, str):
+                raise AskError(f"{where}: a dict takes text as names, such as {str(name)!r}, got {name!r}")
+            _check(f"{where}, {name}", value, depth - 1)
+    elif isinstance(argument, list | tuple):
+        for item in cast("list[Any] | tuple[Any, ...]", argument):
+            _check(where, item, depth - 1)
+    else:
+        kinds = "numbers, text, and lists and dicts of them"
+        raise AskError(f"{where}: an argument takes {kinds}, got {argument!r:.60} ({type(argument).__name__})")
+
+
+def _check_numbers(where: str, argument: Any) -> None:
+    array = np.asarray(argument)
+    if array.dtype.kind not in "biuf":  # complex ones, objects, and integers that no float can hold
+        raise AskError(f"{where}: an argument takes real numbers, got {argument!r:.60} ({array.dtype})")

@@ -19,12 +19,14 @@ from ..exercises.answers import (
 )
 from ..exercises.exercise import Credit, Part
 from ..exercises.properties import turned
+from ..exercises.results import Results
 from ..exercises.values import names_on_sheet, table_numbers
 from ..solutions.expression_array import ExpressionArray, same_formulas
 from ..solutions.table import Table
 from .answer_key import AnswerKey, Mask, Wanted
+from .calls import agreeing, groups_of, said_of_groups
+from .calls import share as share_of_groups
 from .conditions import judge_conditions
-from .read import Results
 
 ANGLES = (0, 3)  # columns theta and alpha of a table
 BLOCK = 3  # rows of J: linear, angular
@@ -98,34 +100,22 @@ def _conditions(key: AnswerKey, part: Part, wanted: Wanted, value: Any) -> Compa
     return Comparison(np.array(judged.holds), judged.share, judged.findings)
 
 
-def _configurations(_: AnswerKey, __: Part, ___: Wanted, value: NDArray[np.float64]) -> Comparison:
-    return Comparison(np.zeros(value.shape, dtype=bool), 0.0)  # the part's own check decides
+def _configurations(_: AnswerKey, part: Part, wanted: Wanted, value: NDArray[np.float64]) -> Comparison:
+    """Row by row, which is what a known mistake is told by; the part's own check judges what is handed in."""
+    assert isinstance(part.answer, Configurations)  # noqa: S101 - chosen by this type
+    if value.shape != wanted.value.shape:
+        return Comparison(np.zeros(value.shape, dtype=bool), 0.0)
+    right: Mask = np.less_equal(np.abs(value - wanted.value), 1.001 * 10.0**-part.answer.decimals, dtype=bool)
+    return Comparison(right, float(right.all()))
 
 
 def _function(key: AnswerKey, part: Part, wanted: Wanted, value: Results) -> Comparison:
     """Call by call; a group counts when all of its calls are right."""
-    answer = part.answer
-    assert isinstance(answer, Function)  # noqa: S101 - chosen by this type
-    inputs = answer.published if value.published and answer.published else answer.inputs
-    results, right, findings = iter(value.values), list[list[bool]](), list[str]()
-    for group, calls in inputs(key.v).items():
-        pairs = [(np.asarray(wanted.value(*call), dtype=float), next(results, "no result")) for call in calls]
-        said = [_result_remark(wanted_result, result, answer.tolerance) for wanted_result, result in pairs]
-        right.append([not remark for remark in said])
-        wrong = [remark for remark in said if remark]
-        found = f"{len(said) - len(wrong)} of {len(said)} right"
-        findings.append(f"{group}: {found}{f'; the first that is not {wrong[0]}' if wrong else ''}.")
-    return Comparison(right, float(np.mean([all(group) for group in right])), tuple(findings))
-
-
-def _result_remark(wanted: NDArray[np.float64], result: NDArray[np.float64] | str, tolerance: float) -> str:
-    """What is wrong with one result; empty when nothing is."""
-    if isinstance(result, str):
-        return f"gave: {result}"
-    if result.shape != wanted.shape:
-        return f"has shape {result.shape}, {wanted.shape} is asked"
-    off = np.abs(result - wanted) > tolerance * np.maximum(1.0, np.abs(wanted))
-    return f"differs in {off.sum()} of {off.size} entries" if off.any() else ""
+    assert isinstance(part.answer, Function)  # noqa: S101 - chosen by this type
+    groups = groups_of(part.answer, key.v, wanted.value, value)
+    right = agreeing(groups, part.answer.tolerance)
+    findings = said_of_groups(groups, right, part.answer.tolerance)
+    return Comparison(right, share_of_groups(groups, right), tuple(findings))
 
 
 _COMPARISONS: dict[type, Callable[[AnswerKey, Part, Wanted, Any], Comparison]] = {

@@ -1,5 +1,6 @@
 """Known ways to present or compute a right answer wrongly, as a table: what it does, and the sentence that names it."""
 
+import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any
@@ -8,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..exercises.answers import Formulas, Numbers, Variant
-from ..exercises.exercise import Part
+from ..exercises.exercise import Part, Rows
 from ..exercises.values import names_on_sheet
 from ..solutions.expression import Expression
 from ..solutions.expression_array import SAME, ExpressionArray, same_formulas, sampled
@@ -37,18 +38,29 @@ def _transposed(J: Array) -> Array | None:
     return J.T if J.ndim == 2 and J.shape[0] == J.shape[1] else np.swapaxes(J, -1, -2) if J.ndim == 3 else None
 
 
-PRESENTATIONS = (
-    Presentation(_transposed, "It looks transposed: rows and columns are exchanged.", worthless=True),
-    Presentation(
+TRANSPOSED = Presentation(_transposed, "It looks transposed: rows and columns are exchanged.", worthless=True)
+SWAPPED: dict[Rows, Presentation] = {
+    "linear, angular": Presentation(
         _swapped_blocks, "The angular rows seem to stand above the linear ones; linear rows come first.", worthless=True
     ),
+    "angular, linear": Presentation(
+        _swapped_blocks,
+        "The linear rows seem to stand above the angular ones; angular rows come first.",
+        worthless=True,
+    ),
+}
+REVERSED = (
     Presentation(np.negative, "Every sign is reversed.", worthless=True),
     Presentation(lambda J: J[:, ::-1] if J.ndim == 2 else None, "The columns stand in reverse order.", worthless=True),
 )
 
 
+LENGTH = re.compile(r"m(/.*)?")  # what is 1000 times as large in millimetres: no area, and no mass
+MOMENT = re.compile(r"N m(/.*)?")
 MILLIMETRES = "Lengths are 1000 times too large: metres are asked, not millimetres."
 CENTIMETRES = "Lengths are 100 times too large: metres are asked, not centimetres."
+NEWTON_MILLIMETRES = "Moments are 1000 times too large: N m are asked, not N mm."
+NEWTON_CENTIMETRES = "Moments are 100 times too large: N m are asked, not N cm."
 DEGREES = "Angles are in degrees: radians are asked."
 MOST_PLACES = 3  # of entries with a wrong sign that are named
 NUMBERS_PUT_IN = 5e-3  # numbers of a sheet have two or three decimals
@@ -58,13 +70,7 @@ def presentation(key: AnswerKey, part: Part, wanted: Wanted, value: Any) -> Pres
     """The first known presentation of the reference that an answer of numbers or formulas agrees with."""
     answer = part.answer
     if isinstance(answer, Numbers):
-        lengths = np.char.startswith(answer.unit_of_entries(), "m")
-        angles = np.char.startswith(answer.unit_of_entries(), "rad")
-        scaled = (
-            Presentation(lambda J: np.where(lengths, 1000.0, 1.0) * J, MILLIMETRES, worthless=True),
-            Presentation(lambda J: np.where(lengths, 100.0, 1.0) * J, CENTIMETRES, worthless=True),
-            Presentation(lambda J: np.where(angles, 180 / np.pi, 1.0) * J, DEGREES, worthless=True),
-        )
+        scaled = _in_other_units(answer)
         pairs = [(value, wanted.value, wanted.allowed)]
     elif isinstance(answer, Formulas):
         names = names_on_sheet(answer.names, key.v)
@@ -73,10 +79,36 @@ def presentation(key: AnswerKey, part: Part, wanted: Wanted, value: Any) -> Pres
         pairs = [(a, b, SAME * np.maximum(1.0, np.abs(b))) for a, b in zip(own, reference, strict=True)]
     else:
         return None
-    for known in (*PRESENTATIONS, *scaled):
+    blocks = (SWAPPED[key.exercise.rows],) if _has_blocks(answer) else ()
+    for known in (TRANSPOSED, *blocks, *REVERSED, *scaled):
         if all(_agree(own, known.of(reference), allowed) for own, reference, allowed in pairs):
             return known
     return None
+
+
+def _has_blocks(answer: Numbers | Formulas) -> bool:
+    return isinstance(answer, Formulas) or answer.has_blocks
+
+
+def _in_other_units(answer: Numbers) -> tuple[Presentation, ...]:
+    """Lengths in millimetres or centimetres, moments with them, and angles in degrees."""
+    units = answer.unit_of_entries()
+    lengths = _matching(LENGTH, units)
+    with_moments = lengths | _matching(MOMENT, units)
+    angles = np.char.startswith(units, "rad")
+    millimetres, centimetres = MILLIMETRES, CENTIMETRES
+    if not lengths.any():
+        millimetres, centimetres = NEWTON_MILLIMETRES, NEWTON_CENTIMETRES
+    return (
+        Presentation(lambda J: np.where(with_moments, 1000.0, 1.0) * J, millimetres, worthless=True),
+        Presentation(lambda J: np.where(with_moments, 100.0, 1.0) * J, centimetres, worthless=True),
+        Presentation(lambda J: np.where(angles, 180 / np.pi, 1.0) * J, DEGREES, worthless=True),
+    )
+
+
+def _matching(pattern: re.Pattern[str], units: NDArray[np.str_]) -> Mask:
+    found = [pattern.fullmatch(str(unit)) is not None for unit in units.ravel()]
+    return np.array(found, dtype=bool).reshape(units.shape)
 
 
 def _agree(value: Array, seen: Array | None, allowed: Array) -> bool:

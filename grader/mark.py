@@ -9,6 +9,7 @@ import numpy as np
 
 from ..exercises.answers import Manual, Numbers
 from ..exercises.exercise import Exercise, Part, Variant
+from ..exercises.results import Results
 from ..solutions.condition import Condition, condition_text
 from ..solutions.expression_array import ExpressionArray
 from ..solutions.table import Table
@@ -17,13 +18,14 @@ from .compare import Comparison
 from .findings import findings
 from .follow import Others, is_trivial, owner_of, zeros_pass
 from .judge import judged
-from .read import UNANSWERED, Results, read
+from .read import UNANSWERED, read
 from .unreadable import Unreadable
 from .verdict import Finding, Verdict, not_graded
 from .wire import Raw
 
 MOST_TEXT = 400  # of a sentence that repeats what a student's process said
 LEAST_FOLLOWED = 0.5  # of the points: less is right by chance, and what is computed from it is no achievement
+UNASKED = "Your answer is kept; the exercise cannot call a function yet: "
 BY_HAND = "It is marked by hand."
 log = logging.getLogger(__name__)
 
@@ -66,6 +68,8 @@ def mark_part(key: AnswerKey, part: Part, raw: Raw) -> Verdict:
 
 
 def _mark_raw(sheet: _Sheet, part: Part, raw: Raw, others: Others) -> Verdict:
+    if raw.kind == "unasked":
+        return not_graded(part.variable, part.points, f"{UNASKED}{raw.value}.")
     try:
         answer = read(part.answer, raw, sheet.key.v)
     except Unreadable as error:

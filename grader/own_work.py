@@ -38,6 +38,9 @@ def remarks(exercise: Exercise, v: Variant, raws: Mapping[str, Raw], *, consiste
             text = "is on paper" if part.answer.on_paper else "is there" if raw.kind == "text" else "not answered"
             yield Remark(part.variable, ok=text != "not answered", text=f"{text}; it is marked by hand")
             continue
+        if raw.kind == "unasked":
+            yield Remark(part.variable, ok=True, text=f"not checked: {raw.value}")
+            continue
         try:
             answers[part.variable] = read(part.answer, raw, v)
         except Unreadable as error:

@@ -1,11 +1,10 @@
 """From raw values to answers of the declared kind: shape before anything else, then finite, then values."""
 
+import re
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..exercises.answers import (
     Answer,
@@ -19,6 +18,7 @@ from ..exercises.answers import (
     TableOf,
     Variant,
 )
+from ..exercises.results import Result, Results
 from .read_formulas import read_conditions, read_formulas
 from .read_numbers import flat_texts, read_configurations, read_numbers
 from .read_table import read_table
@@ -27,18 +27,8 @@ from .wire import Raw
 
 UNANSWERED = "not answered"
 MOST_TEXT = 20_000  # characters of an argument in words
+CALLED = re.compile(r"\Acall [0-9]+(?: stopped with|:)? ")  # groups number their calls anew
 NOTHING = "not a matrix of numbers: None"  # what the collector says of a call that returned None
-
-
-@dataclass(frozen=True)
-class Results:
-    """What a student's function returned, call by call: an array, or the reason why there is none.
-
-    `published` says that these are results for the published inputs, handed in without a function.
-    """
-
-    values: tuple[NDArray[np.float64] | str, ...]
-    published: bool = False
 
 
 def read(answer: Answer, raw: Raw, v: Variant) -> Any:
@@ -74,9 +64,9 @@ def _results(answer: Function, raw: Raw, v: Variant) -> Results:
     raise Unreadable(f"takes a function, def NAME{answer.signature}, got {'numbers' if raw.kind == 'num' else 'text'}")
 
 
-def _result(raw: Raw) -> NDArray[np.float64] | str:
+def _result(raw: Raw) -> Result:
     if raw.kind != "num":
-        return str(raw.value) if raw.kind == "error" else "no matrix of numbers"
+        return CALLED.sub("", str(raw.value), count=1) if raw.kind == "error" else "no matrix of numbers"
     if np.iscomplexobj(raw.value):
         return "complex numbers"
     return np.asarray(raw.value, dtype=float) if np.isfinite(raw.value).all() else "NaN or infinity"

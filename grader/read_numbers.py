@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from ..exercises.answers import Configurations, Numbers, Variant
 from ..solutions.expression import ExpressionError
 from ..solutions.typed_matrix import typed_matrix
-from ..solutions.units import typed_quantity
+from ..solutions.units import converted, dimension, typed_quantity
 from .unreadable import Unreadable, clip, entry_name, misread
 from .wire import Raw
 
@@ -58,7 +58,7 @@ def _shape_hint(shape: tuple[int, ...], asked: tuple[int, ...]) -> str:
     if len(shape) == 2 and shape[::-1] == asked:  # a transposed 6 x 3 matrix is 3 x 6
         return ": rows and columns look exchanged"
     if len(asked) == 2 and asked[0] == 6 and shape == (3, asked[1]):
-        return ": linear and angular rows are asked, three each"
+        return ": the linear and the angular rows are asked, three each"
     if len(asked) == 1 and len(shape) == 2 and shape[0] == asked[0] and shape[1] > 1:
         return ": a product of a matrix and a vector takes @, not *"
     return ""
@@ -112,15 +112,12 @@ def _quantity(text: str, unit: str, where: str) -> float:
         value, typed = typed_quantity(text)
     except ExpressionError as error:
         raise misread(error, where) from error
-    if typed and _dimension(typed) != _dimension(unit):
+    if not typed:
+        return value
+    if dimension(typed) != dimension(unit):
         place = f"{where}: " if where else ""
         raise Unreadable(f"{place}takes {_unit_name(unit)}, got {clip(text)}")
-    return value
-
-
-def _dimension(unit: str) -> str:
-    """A unit without its angles, which have no dimension."""
-    return {"rad": "1", "rad/s": "1/s", "m/rad": "m", "": "1"}.get(unit, unit)
+    return converted(value, unit)
 
 
 def _unit_name(unit: str) -> str:

@@ -5,7 +5,7 @@ from typing import Any, cast
 import numpy as np
 
 from ..exercises.answers import TableOf, Variant
-from ..exercises.values import names_on_sheet, table_numbers
+from ..exercises.values import names_on_sheet, posture, table_numbers
 from ..solutions.errors import KinegradeError
 from ..solutions.expression import ExpressionError
 from ..solutions.table import COLUMNS, Table
@@ -29,7 +29,7 @@ def read_table(answer: TableOf, raw: Raw, v: Variant) -> Table:
         _complete(row, "RP".index(kind), i, v)
     try:
         table = table_of(cells, names, answer.convention)
-        table_numbers(table, v, v["q"])
+        table_numbers(table, v, posture(joints, v))
     except KinegradeError as error:
         raise Unreadable(str(error)) from error
     return table
@@ -82,12 +82,16 @@ def _typed(number: float) -> str:
 def _complete(row: list[str], at: int, joint: int, v: Variant) -> None:
     """A number where the joint variable belongs is read as the value at the student's q.
 
-    In theta it may differ from q by quarter turns, the offsets that tables have; anything else is another q.
+    In theta it may differ from q by quarter turns, the offsets that tables have; anything else is another q. Where the
+    sheet gives no q, a number says nothing of the joint variable.
     """
     try:
-        offset = float(row[at]) - v["q"][joint]
+        number = float(row[at])
     except ValueError:
         return
+    if "q" not in v:
+        raise Unreadable(f"row {joint + 1}, {COLUMNS[at]}: takes q{joint + 1}, got {clip(row[at])}")
+    offset = number - v["q"][joint]
     turns = offset / (np.pi / 2)
     if at == THETA and abs(turns - round(turns)) > SAME_ANGLE:
         raise Unreadable(f"row {joint + 1}, theta: takes q{joint + 1}, or your value of it, got {clip(row[at])}")

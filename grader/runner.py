@@ -263,10 +263,32 @@ class Functions:
 
 
 def fresh(arguments):
-    """Arguments of one call: lists as arrays of their own, so that a function may change what it is given."""
+    """Arguments of one call, its own: a function may change what it is given."""
     import numpy as np
 
-    return [np.array(x, dtype=float) if isinstance(x, list) else x for x in arguments]
+    return [arrived(np, argument) for argument in arguments]
+
+
+def arrived(np, argument):
+    """As in exercises/arguments.py: lists of numbers in equal rows are arrays, in dicts and lists too."""
+    if isinstance(argument, dict):
+        return {name: arrived(np, value) for name, value in argument.items()}
+    if not isinstance(argument, list):
+        return argument
+    if shape_of(argument) is not None:
+        return np.array(argument, dtype=float)
+    return [arrived(np, item) for item in argument]
+
+
+def shape_of(value):
+    """Shape of nested numbers; None where they are no array."""
+    if not isinstance(value, list):
+        return () if isinstance(value, (int, float)) else None
+    shapes = {shape_of(item) for item in value}
+    if not shapes:
+        return (0,)
+    first = shapes.pop()
+    return None if shapes or first is None else (len(value), *first)
 
 
 class Reader:

@@ -12,7 +12,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_valida
 
 from .ask import MAX_CALLS
 
-Kind = Literal["num", "text", "calls", "missing", "error"]
+Kind = Literal["num", "text", "calls", "missing", "error", "unasked"]
 MAX_ELEMENTS = 4096
 MAX_ROWS = 64  # of text, and cells in each
 MAX_TEXT = 400  # of one entry
@@ -26,7 +26,8 @@ class Raw:
 
     The value of kind "calls" is a list with a Raw for every call. With `listed` it is a list of results of the
     published calls that was handed in as such; without, a function was called on what was asked. `note` says how the
-    cell that set it ended, where it did not end well.
+    cell that set it ended, where it did not end well. Kind "unasked" never comes out of a submission: it says why we
+    could not ask.
     """
 
     kind: Kind

@@ -1,14 +1,20 @@
 """Quantities with units: 350 mm, 20 deg/s, sqrt(2)/2 m."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from difflib import get_close_matches
 from fractions import Fraction
 from itertools import pairwise
 from types import MappingProxyType
 from typing import NamedTuple
 
+from .errors import KinegradeError
 from .tokens import ExpressionError, Token, refusing, tokens_of
 from .typed import TYPED, WORDS, typed_tokens
+
+
+class UnitError(KinegradeError):
+    """A unit that nobody knows."""
 
 
 class Unit(NamedTuple):
@@ -20,34 +26,105 @@ _DEGREE = math.pi / 180
 UNITS: Mapping[str, Unit] = MappingProxyType({
     "1": Unit(1.0, ""),
     "m": Unit(1.0, "m"), "km": Unit(1e3, "m"), "cm": Unit(1e-2, "m"), "mm": Unit(1e-3, "m"),
-    "s": Unit(1.0, "s"), "ms": Unit(1e-3, "s"),
+    "m^2": Unit(1.0, "m^2"), "m^3": Unit(1.0, "m^3"), "1/m": Unit(1.0, "1/m"),
+    "s": Unit(1.0, "s"), "ms": Unit(1e-3, "s"), "1/s": Unit(1.0, "1/s"), "Hz": Unit(1.0, "Hz"),
     "rad": Unit(1.0, "rad"), "deg": Unit(_DEGREE, "rad"), "°": Unit(_DEGREE, "rad"),
     "m/s": Unit(1.0, "m/s"), "cm/s": Unit(1e-2, "m/s"), "mm/s": Unit(1e-3, "m/s"),
+    "m/s^2": Unit(1.0, "m/s^2"), "mm/s^2": Unit(1e-3, "m/s^2"),
     "rad/s": Unit(1.0, "rad/s"), "deg/s": Unit(_DEGREE, "rad/s"), "°/s": Unit(_DEGREE, "rad/s"),
     "rpm": Unit(math.tau / 60, "rad/s"),
+    "rad/s^2": Unit(1.0, "rad/s^2"), "deg/s^2": Unit(_DEGREE, "rad/s^2"), "°/s^2": Unit(_DEGREE, "rad/s^2"),
     "m/rad": Unit(1.0, "m/rad"), "cm/rad": Unit(1e-2, "m/rad"), "mm/rad": Unit(1e-3, "m/rad"),
+    "m/rad^2": Unit(1.0, "m/rad^2"), "rad/m": Unit(1.0, "rad/m"), "1/rad": Unit(1.0, "1/rad"),
+    "kg": Unit(1.0, "kg"), "g": Unit(1e-3, "kg"), "kg m^2": Unit(1.0, "kg m^2"),
+    "N": Unit(1.0, "N"), "kN": Unit(1e3, "N"),
+    "N m": Unit(1.0, "N m"), "kN m": Unit(1e3, "N m"), "N cm": Unit(1e-2, "N m"), "N mm": Unit(1e-3, "N m"),
+    "N/m": Unit(1.0, "N/m"), "N/mm": Unit(1e3, "N/m"), "N m/rad": Unit(1.0, "N m/rad"),
+    "N s/m": Unit(1.0, "N s/m"), "N m s/rad": Unit(1.0, "N m s/rad"),
+    "J": Unit(1.0, "J"), "kJ": Unit(1e3, "J"), "W": Unit(1.0, "W"), "kW": Unit(1e3, "W"),
 })  # fmt: skip
+"""All units that a sheet, an answer or a student may use; the SI ones have the factor 1."""
+DIMENSIONS: Mapping[str, str] = MappingProxyType({
+    "": "1", "rad": "1", "1/rad": "1", "rad/s": "1/s", "rad/s^2": "1/s^2", "m/rad": "m", "m/rad^2": "m", "rad/m": "1/m",
+    "J": "N m", "W": "N m/s", "N m/rad": "N m", "N m s/rad": "N m s",
+})  # fmt: skip
+"""What SI units come to where angles have no dimension; Hz stays: a turn is not a radian."""
+MOST_TOKENS = 7  # of a typed unit: N * m * s / rad
+
+
+def _spellings() -> dict[str, str]:
+    """Every way to write a unit, in the form in which tokens are joined, to its name."""
+    found = dict[str, str]()
+    for name in UNITS:
+        found |= {name.replace(" ", between): name for between in (" ", "", "*", ".")}
+    return found
+
+
+SPELLINGS: Mapping[str, str] = MappingProxyType(_spellings())
+
+
+def refuse_unknown_unit(unit: object) -> None:
+    """Raises UnitError, with the nearest known unit, where a unit is none of `UNITS`."""
+    if not isinstance(unit, str):
+        raise UnitError(f"a unit takes text such as 'm', got {unit!r}")
+    if unit in UNITS:
+        return
+    nearest = SPELLINGS.get(unit) or _abbreviated(unit) or get_close_matches(unit, UNITS, 1, cutoff=0)[0]
+    raise UnitError(f"unknown unit {unit!r}; the nearest is {nearest!r}, and kinegrade.solutions.units lists all")
+
+
+def _abbreviated(unit: str) -> str:
+    """The longest unit that a word such as "radians" begins with; empty when there is none."""
+    begun = [name for name in UNITS if unit.startswith(name) and unit.removeprefix(name).isalpha()]
+    return max(begun, key=len, default="")
+
+
+def dimension(unit: str) -> str:
+    """What a unit measures, angles aside: rad and 1 are the same, so are J and N m; "" is no unit."""
+    si = UNITS[unit].si if unit else ""
+    return DIMENSIONS.get(si, si)
+
+
+def converted(value: float, unit: str) -> float:
+    """A value in SI as a number of the unit: 0.35 [m] are 350 [mm]."""
+    factor = UNITS[unit].factor
+    return value if factor == 1 else float(Fraction(value) / Fraction(repr(factor)))
 
 
 def typed_quantity(text: str) -> tuple[float, str]:
-    """Value and unit of a typed quantity in SI: "350mm" is (0.35, "m"), "0.3" is (0.3, "").
+    """Value and unit of a typed quantity in SI: "350mm" is (0.35, "m"), "2 kN*m" is (2000, "N m"), "0.3" is (0.3, "").
 
     The number is a formula without names. Raises ExpressionError, with the place in the text, where it is none or the
     unit is unknown.
     """
     with refusing(text, "a quantity"):
         tokens = tokens_of(text, TYPED | {"°"})
-        many = next((many for many in (3, 1) if _is_unit(tokens[-1 - many : -1])), 0)
+        longest = range(min(MOST_TOKENS, len(tokens) - 1), 0, -1)
+        many = next((many for many in longest if _is_unit(tokens[-1 - many : -1])), 0)
         formula, unit = tokens[: -1 - many], tokens[-1 - many : -1]
         for before, word in pairwise(formula):
             if (before.kind == "number" or before.text == ")") and word.kind == "name" and word.text not in WORDS:
-                raise ExpressionError(
-                    f"unknown unit '{text[word.offset :][:40]}'; known: {', '.join(list(UNITS)[1:])}", word.offset
-                )
-        factor, si = UNITS["".join(token.text for token in unit) or "1"]
+                raise ExpressionError(f"unknown unit '{text[word.offset :][:40]}'; known: {_listed()}", word.offset)
+        factor, si = UNITS[SPELLINGS[_joined(unit) or "1"]]
         value = typed_tokens([*formula, Token("end", "", (unit or tokens[-1:])[0].offset)], ()).at({})
         return float(Fraction(float(value)) * Fraction(repr(factor))), si  # 350 mm are 0.35 m, not 0.35000000000000003
 
 
-def _is_unit(tokens: list[Token]) -> bool:
-    return "".join(token.text for token in tokens) in UNITS and tokens[0].kind != "number"
+def _is_unit(tokens: Sequence[Token]) -> bool:
+    joined = _joined(tokens)
+    return joined in SPELLINGS and joined != "1"
+
+
+def _joined(tokens: Sequence[Token]) -> str:
+    """Tokens as one text, with a space between two names."""
+    text = ""
+    for before, token in pairwise([Token("sign", "", 0), *tokens]):
+        beside = before.kind in ("name", "number") and token.kind == "name"
+        text += f"{' ' * beside}{token.text}"
+    return text
+
+
+def _listed() -> str:
+    """Units for a sentence: those with one name, and what may be made of them."""
+    plain = [name for name in UNITS if name.isalpha() or name == "°"]
+    return f"{', '.join(plain)}, and such as m/s, m/rad, N m"

@@ -380,12 +380,6 @@ def test_a_list_of_results_may_stand_in_the_place_of_a_function():
     assert call("f = lambda x: x", calls=()).value == "not a matrix of numbers: a function (TypeError)"
 
 
-@pytest.mark.parametrize("argument", [None, {}, [[1, 2], [3]], ["a"], object()])
-def test_a_call_that_cannot_be_made_is_our_mistake(argument):
-    with pytest.raises(AskError, match="f, call 1: an argument takes a number, text or a list of equal rows"):
-        Ask("f", ((argument,),))
-
-
 def test_too_many_calls_are_refused():
     with pytest.raises(AskError, match="at most 200 calls"):
         Ask("f", ((1.0,),) * 201)

@@ -30,6 +30,8 @@ def test_closed_forms_use_the_shorthand_of_the_course():
     [
         (0.5, "m", r"x = 0.5\,\mathrm{m}"),
         (3, "1", "x = 3"),
+        (3, "N m", r"x = 3\,\mathrm{N\,m}"),
+        ([1, 2], ["N", "N m/rad"], r"x = (1\,\mathrm{N},\; 2\,\mathrm{N\,m/rad})"),
         ([0.1, 0.2], ["rad", "rad"], r"x = (0.1,\; 0.2)\,\mathrm{rad}"),
         ([0.1, 0.2], ["rad", "m"], r"x = (0.1\,\mathrm{rad},\; 0.2\,\mathrm{m})"),
         ([[1, 2], [3, 4]], [["m", "m"]] * 2, r"x = \begin{bmatrix} 1 & 2 \\ 3 & 4 \end{bmatrix}\,\mathrm{m}"),

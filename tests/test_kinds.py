@@ -203,6 +203,62 @@ def test_a_wrong_unit_is_named(raw, status, words):
     assert words.lower() in said(found).lower()
 
 
+WRENCH = Part(
+    "t_x", "x?", 6, Numbers((6,), ["N"] * 3 + ["N m"] * 3, decimals=2),
+    lambda v, _: v["l1"] * np.array([12.5, 3.25, -8.1, 4.4, 19.6, -7.7]),
+)  # fmt: skip
+TORQUES = Part(
+    "t_x", "x?", 2, Numbers((2,), "N m", decimals=2), lambda v, _: v["l1"] * np.array([12.5, -8.1])
+)  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("raw", "status", "words"),
+    [
+        (["10 N", "2.6 N", "-0.00648 kN", "3.52 Nm", "15.68 N*m", "-6160 N mm"], "correct", ""),
+        (["10 N m", "2.6", "-6.48", "3.52", "15.68", "-6.16"], "failed", "entry 1: takes a value in N, got 10 N m"),
+        (["10", "2.6", "-6.48", "3.52 J", "15.68", "-6.16"], "correct", ""),
+        (["10", "2.6", "-6.48", "3.52 m", "15.68", "-6.16"], "failed", "entry 4: takes a value in N m, got 3.52 m"),
+        (np.array([10, 2.6, -6.48, 3520, 15680, -6160]), "incorrect", "1000 times too large: N m are asked, not N mm"),
+    ],
+)
+def test_forces_and_moments_are_read_with_their_units(raw, status, words):
+    found = verdict(WRENCH, raw)
+    assert found.status == status
+    assert words.lower() in said(found).lower()
+
+
+def test_a_torque_in_newton_millimetres_is_named_and_not_taken_for_a_length():
+    value = 0.8 * np.array([12.5, -8.1])
+    assert "Moments are 1000 times too large: N m are asked, not N mm." in said(verdict(TORQUES, 1000 * value))
+    assert "Moments are 100 times too large: N m are asked, not N cm." in said(verdict(TORQUES, 100 * value))
+
+
+@pytest.mark.parametrize(
+    ("unit", "factor", "words"),
+    [
+        ("m/s", 1000, "Lengths are 1000 times too large"),
+        ("m/s^2", 1000, "Lengths are 1000 times too large"),
+        ("m/rad", 100, "Lengths are 100 times too large"),
+        ("rad/s^2", 180 / np.pi, "Angles are in degrees"),
+        ("N/m", 1000, ""),
+        ("m^2", 1000, ""),
+        ("kg", 1000, ""),
+    ],
+)
+def test_other_units_are_named_where_they_stand_above_the_line(unit, factor, words):
+    part = Part("t_x", "x?", 2, Numbers((3,), unit), lambda v, _: v["l1"] * np.array([1.5, 2.5, 3.7]))
+    found = said(verdict(part, factor * 0.8 * np.array([1.5, 2.5, 3.7])))
+    assert words in found if words else not found
+
+
+@pytest.mark.parametrize(("unit", "typed"), [("mm", ["350 mm", "0.1 m"]), ("deg", ["20 deg", "pi/9 rad"])])
+def test_a_typed_unit_is_brought_to_the_asked_one(unit, typed):
+    values = {"mm": [350.0, 100.0], "deg": [20.0, 20.0]}[unit]
+    part = Part("t_x", "x?", 2, Numbers((2,), unit, decimals=2), lambda *_: np.array(values))
+    assert verdict(part, typed).status == "correct"
+
+
 def test_degrees_are_named():
     angle = Part("t_x", "x?", 2, Numbers((2,), "rad", decimals=3), lambda v, _: np.array(v["q"]))
     assert "Angles are in degrees: radians are asked." in said(verdict(angle, np.degrees(V["q"])))

@@ -39,6 +39,8 @@ def script(*answers, v=None, student=ADA, **more):
     ("answer", "line"),
     [
         (Numbers((6, 3)), "ex_0 = [];  % 6 x 3 numbers, linear rows above angular; 4 decimals"),
+        (Numbers((6,), "N m"), "ex_0 = [];  % 6 numbers; 4 decimals"),  # torques of six joints
+        (Numbers((6,), ["N"] * 3 + ["N m"] * 3), "ex_0 = [];  % 6 numbers, linear rows above angular; 4 decimals"),
         (Numbers((3,), decimals=2), "ex_0 = [];  % 3 numbers; 2 decimals"),
         (Numbers(()), "ex_0 = [];  % one number; 4 decimals"),
         (Numbers((3, 4, 4)), "ex_0 = {};  % 3 matrices of 4 x 4 numbers: {first, second, ...}; 4 decimals"),
@@ -50,6 +52,10 @@ def script(*answers, v=None, student=ADA, **more):
         (Formulas((), ("l1",)), "ex_0 = '';  % a formula as text: '...', or char(...) of a symbolic one"),
         (Choice(("yes", "no")), "% a: yes\n% b: no\nex_0 = '';  % one of a, b"),
         (Conditions(("q1",), lambda _: {}), "ex_0 = {''};  % equations, such as {'sin(q1) = 0', 'q2 = q3'}"),
+        (
+            Configurations(2, in_order=True),
+            "ex_0 = [];  % a row of 2 numbers for every step, in their order; 4 decimals",
+        ),
         (Configurations(3), "ex_0 = [];  % a row of 3 numbers for every configuration; 4 decimals"),
         (
             Manual(((2.0, "a line"),)),
@@ -85,6 +91,19 @@ def test_a_function_comes_with_the_inputs_whose_results_are_handed_in():
     ) in text
 
 
+def test_an_argument_that_is_a_dict_has_a_line_for_every_field():
+    arm = {"kinds": ["R", "P"], "a": [0.123456789] * 3, "alpha": [0.5] * 3}
+    text = script(Function("(arm, q)", lambda _: {}, published=lambda _: {"yours": [(arm, [0.5, 1.0])]}))
+    assert (
+        "ex_0_inputs = { ...\n"
+        "    {struct('kinds', {{'R', 'P'}}, ...\n"
+        "    'a', [0.123456789, 0.123456789, 0.123456789], ...\n"
+        "    'alpha', [0.5, 0.5, 0.5]), ...\n"
+        "    [0.5, 1.0]}; ...\n"
+        "};\n"
+    ) in text
+
+
 @pytest.mark.parametrize(
     ("value", "expected"),
     [
@@ -106,6 +125,12 @@ def test_a_function_comes_with_the_inputs_whose_results_are_handed_in():
         ([[1, 2], [3]], "{[1, 2], [3]}"),
         (["a", 1], "{'a', 1}"),
         ([[[1, 2]], [[3, 4]]], "{[1, 2], [3, 4]}"),
+        (np.eye(2), "[1.0, 0.0; 0.0, 1.0]"),
+        ({}, "struct()"),
+        ({"a": [0.1, 0.2], "n": 2}, "struct('a', [0.1, 0.2], 'n', 2)"),
+        ({"kinds": ["R", "P"]}, "struct('kinds', {{'R', 'P'}})"),  # one pair of braces would make two structures
+        ([{"a": 1}, {"a": 2}], "{struct('a', 1), struct('a', 2)}"),
+        ({"tool": {"p": [0.5]}}, "struct('tool', struct('p', [0.5]))"),
     ],
 )
 def test_drawn_values_are_written_as_matlab_reads_them(value, expected):
@@ -113,8 +138,10 @@ def test_drawn_values_are_written_as_matlab_reads_them(value, expected):
 
 
 def test_a_value_that_matlab_has_no_word_for_is_refused():
-    with pytest.raises(CourseError, match=r"takes numbers, text and lists, got \{'a': 1\}"):
-        literal({"a": 1})
+    with pytest.raises(CourseError, match=r"takes numbers, text, lists and dicts, got \(1\+2j\)"):
+        literal([1 + 2j])
+    with pytest.raises(CourseError, match="takes names of MATLAB, such as 'kinds', got 'a b'"):
+        literal({"a b": 1})
 
 
 def test_numbers_have_the_names_and_units_of_the_notebook():
@@ -151,7 +178,7 @@ def test_no_name_or_title_breaks_out_of_its_comment(breaker):
     evil = f"A{breaker}delete('x') %{{ {breaker}%}}{breaker}"
     text = script(
         Choice((evil,)), Function(f"(q{breaker}) x", lambda _: {}), student=Student("ada", evil), title=evil,
-        statement=evil, prompt=evil, units={"d": f"m{breaker}x"}, v={"d": evil},
+        statement=evil, prompt=evil, units={"d": "m"}, v={"d": evil},
     )  # fmt: skip
     lines = re.split(r"[\n\r\x0b\x0c\x85\u2028\u2029]", text)
     assert [line for line in lines if line and not line.startswith("%") and not CODE.fullmatch(line)] == []

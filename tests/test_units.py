@@ -4,7 +4,7 @@ import math
 
 import pytest
 from kinegrade.solutions.expression import ExpressionError
-from kinegrade.solutions.units import UNITS, typed_quantity
+from kinegrade.solutions.units import UNITS, UnitError, converted, dimension, refuse_unknown_unit, typed_quantity
 
 
 @pytest.mark.parametrize(
@@ -26,6 +26,26 @@ from kinegrade.solutions.units import UNITS, typed_quantity
         ("30 rpm", math.pi, "rad/s"),
         ("20 mm/rad", 0.02, "m/rad"),
         ("15 ms", 0.015, "s"),
+        ("19.6 N m", 19.6, "N m"),
+        ("19.6 Nm", 19.6, "N m"),
+        ("5 N*m", 5, "N m"),
+        ("5 N·m", 5, "N m"),
+        ("5 N.m", 5, "N m"),
+        ("19600 N mm", 19.6, "N m"),
+        ("3 kN", 3000, "N"),
+        ("2 kNm", 2000, "N m"),
+        ("12 J", 12, "J"),
+        ("1.5 kW", 1500, "W"),
+        ("9.81 m/s^2", 9.81, "m/s^2"),
+        ("9.81 m/s²", 9.81, "m/s^2"),
+        ("2 rad / s**2", 2, "rad/s^2"),
+        ("250 g", 0.25, "kg"),
+        ("0.4 kg*m^2", 0.4, "kg m^2"),
+        ("50 Hz", 50, "Hz"),
+        ("3 N m s/rad", 3, "N m s/rad"),
+        ("3 N*m*s/rad", 3, "N m s/rad"),
+        ("3 1/s", 3, "1/s"),
+        ("2*3 N/m", 6, "N/m"),
         ("0.3", 0.3, ""),
         ("2*pi", 2 * math.pi, ""),
     ],
@@ -53,7 +73,13 @@ def test_every_unit_is_its_factor_of_the_si_unit(unit: str):
         ("3 parsec", 2, "unknown unit 'parsec'; known: m, km, cm, mm"),
         ("3 M", 2, "unknown unit 'M'"),
         ("3 m/min", 2, "unknown unit 'm/min'"),
-        ("3 m^2", 2, "unknown unit 'm^2'"),
+        ("3 m^4", 2, "unknown unit 'm^4'"),
+        ("3 m N", 2, "unknown unit 'm N'"),
+        (
+            "3 Ns",
+            2,
+            "unknown unit 'Ns'; known: m, km, cm, mm, s, ms, Hz, rad, deg, °, rpm, kg, g, N, kN, J, kJ, W, kW, and",
+        ),
         ("3 m m", 2, "unknown unit 'm m'"),
         ("2 q1", 2, "unknown unit 'q1'"),
         ("5,3 m", 1, "a decimal number takes a point"),
@@ -77,3 +103,46 @@ def test_what_is_no_quantity_is_refused_at_its_place(text: str, offset: int, mes
 def test_what_is_no_text_is_refused():
     with pytest.raises(ExpressionError, match="a quantity takes text, got float"):
         typed_quantity(3.5)
+
+
+@pytest.mark.parametrize(
+    ("unit", "nearest"), [("Nm", "N m"), ("m/sec", "m/s"), ("radians", "rad"), ("N*m", "N m"), ("rad/s2", "rad/s^2")]
+)
+def test_an_unknown_unit_is_refused_with_the_nearest(unit: str, nearest: str):
+    with pytest.raises(UnitError) as caught:
+        refuse_unknown_unit(unit)
+    assert str(caught.value).startswith(f"unknown unit {unit!r}; the nearest is {nearest!r}")
+
+
+@pytest.mark.parametrize("unit", [*UNITS])
+def test_every_unit_of_the_list_is_known(unit: str):
+    refuse_unknown_unit(unit)
+
+
+def test_what_is_no_text_is_no_unit():
+    with pytest.raises(UnitError, match="a unit takes text such as 'm', got 3"):
+        refuse_unknown_unit(3)
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "same"),
+    [
+        ("rad", "1", True),
+        ("deg/s", "1/s", True),
+        ("m/rad", "mm", True),
+        ("J", "N m", True),
+        ("N m/rad", "kN m", True),
+        ("Hz", "rad/s", False),  # a turn is not a radian
+        ("N", "N m", False),
+        ("N m", "m", False),
+        ("", "1", True),
+    ],
+)
+def test_units_measure_the_same_where_angles_have_no_dimension(one: str, other: str, *, same: bool):
+    assert (dimension(one) == dimension(other)) is same
+
+
+def test_a_value_is_brought_to_the_asked_unit():
+    assert converted(0.35, "mm") == 350.0
+    assert converted(0.35, "m") == 0.35
+    assert converted(math.pi, "deg") == pytest.approx(180)

@@ -15,12 +15,17 @@ CHANGES = {
     "mistakes": ('needs=("lever_p",))', 'needs=("lever_p",), mistakes=(Mistake("The same.", column),))'),
     "printable": ('return v["L"] *', 'return 1e7 * v["L"] *'),
     "render": ('"Its Jacobian"', '"Its Jacobian $J"'),
+    "solution": (
+        'Part("lever_p",',
+        """Part("lever_f", "f", 1, Function("(x)", lambda v: {"g": [(v["L"],)]}), lambda *_: lambda x: x + 1),
+        Part("lever_p",""",
+    ),
     "variants": ("rng.integers(200, 1300)", "rng.integers(200, 204) + 0 * rng.integers(3)"),
 }
 
 
 def lever_file(folder, old="", new=""):
-    text = LEVER.replace("Exercise, Numbers, Part", "Exercise, Mistake, Numbers, Part")
+    text = LEVER.replace("Exercise, Numbers, Part", "Exercise, Function, Mistake, Numbers, Part")
     assert old in text
     path = folder / "lever.py"
     path.write_text(text.replace(old, new) if old else text, encoding="utf-8")

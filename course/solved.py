@@ -1,0 +1,44 @@
+"""Proof that the worked solution of an exercise runs: its notebook, collected and marked as a student's would be."""
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from ..exercises.exercise import Exercise, Function, Manual
+from ..grader.answer_key import AnswerKey
+from ..grader.ask import Limits
+from ..grader.collect import cannot_run
+from ..grader.mark import mark
+from .blanks import unprintable
+from .submissions import READERS, Submission
+
+
+def unsolved(exercise: Exercise, v: dict[str, Any], key: AnswerKey, solution: bytes) -> Iterator[tuple[str, str]]:
+    """Parts that the notebook with the worked solution does not earn in full, each with a sentence.
+
+    Named first are functions that cannot be printed and calls that cannot be made, whatever the file they are asked of.
+    Where no notebook can run, that is all.
+    """
+    found = dict[str, str]()
+    for part in exercise.asked:
+        sentence = unprintable(part, key.reference[part.variable]) if isinstance(part.answer, Function) else ""
+        if sentence:
+            found[part.variable] = sentence
+    for suffix in READERS:
+        asks = Submission(Path(f"solution{suffix}"), b"").asks(exercise, v)
+        found |= {ask.name: ask.hindrance for ask in asks if ask.hindrance}
+    yield from found.items()
+    if not cannot_run():
+        yield from _without_full_marks(exercise, v, key, solution, found)
+
+
+def _without_full_marks(
+    exercise: Exercise, v: dict[str, Any], key: AnswerKey, solution: bytes, known: dict[str, str]
+) -> Iterator[tuple[str, str]]:
+    submission = Submission(Path("solution.ipynb"), solution)
+    raws = submission.raws(submission.asks(exercise, v), Limits())
+    for part, verdict in zip(exercise.asked, mark(exercise, v, raws, key=key), strict=True):
+        if part.variable in known or isinstance(part.answer, Manual) or verdict.points == part.points:
+            continue
+        said = " ".join(finding.text for finding in verdict.findings)
+        yield part.variable, f"the notebook with the worked solution earns {verdict.points} of {part.points:g}. {said}"
