@@ -34,8 +34,18 @@ def groups_of(answer: Function, v: Variant, reference: Any, value: Results) -> l
     groups = list[Group]()
     for name, arguments in calls.items():
         wanted = tuple(np.asarray(reference(*call), dtype=float) for call in arguments)
-        groups.append(Group(name, wanted, found[name]))
+        results = found[name]
+        if value.published:
+            results = tuple(_unwrapped(*pair) for pair in zip(results, wanted, strict=True))
+        groups.append(Group(name, wanted, results))
     return groups
+
+
+def _unwrapped(result: Result, wanted: Array) -> Result:
+    """A result in the shape that is asked, where a file made a list or a matrix of one number, or of a vector."""
+    if isinstance(result, str) or wanted.ndim > 1 or result.squeeze().shape != wanted.squeeze().shape:
+        return result
+    return result.reshape(wanted.shape)
 
 
 def agreeing(groups: Sequence[Group], tolerance: float) -> list[list[bool]]:

@@ -112,6 +112,8 @@ def raw_value(value: Any, ask: Ask) -> Raw:
     """
     if _leaves(value, MAX_ELEMENTS) > MAX_ELEMENTS:
         return Raw("error", f"too large: it has more than {MAX_ELEMENTS} entries")
+    if ask.calls and isinstance(value, list):  # a function may say yes or no
+        value = [float(result) if isinstance(result, bool) else result for result in value]  # pyright: ignore[reportUnknownVariableType]
     raw = _raw(value)
     if raw.kind != "error" or not ask.calls or not isinstance(value, list) or len(value) > MAX_CALLS:  # pyright: ignore[reportUnknownArgumentType]
         return raw

@@ -5,6 +5,7 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..exercises.answers import (
     Answer,
@@ -59,9 +60,16 @@ def _results(answer: Function, raw: Raw, v: Variant) -> Results:
         if all(result.kind == "error" and NOTHING in str(result.value) for result in raw.value):
             raise Unreadable(f"{UNANSWERED}: the function returns nothing")
         return Results(tuple(map(_result, raw.value)), raw.listed)
-    if raw.kind == "num" and answer.published and raw.value.ndim > 1:  # a list of results of one shape
+    if raw.kind == "num" and answer.published and _are_results(raw.value, answer, v):
         return Results(tuple(np.asarray(x, dtype=float) for x in raw.value), published=True)
     raise Unreadable(f"takes a function, def NAME{answer.signature}, got {'numbers' if raw.kind == 'num' else 'text'}")
+
+
+def _are_results(value: NDArray[np.float64], answer: Function, v: Variant) -> bool:
+    """Whether an array is a list of results of one shape; numbers alone are, where there are as many as calls."""
+    assert answer.published  # noqa: S101 - asked by the caller
+    calls = sum(len(group) for group in answer.published(v).values())
+    return value.ndim > 1 or value.shape == (calls,)
 
 
 def _result(raw: Raw) -> Result:

@@ -211,6 +211,17 @@ def encode_asked(value, calls):
     return {"k": "calls", "v": results, "listed": True}
 
 
+def encode_result(value):
+    """A result of a call, where True and False are 1 and 0: a function may say yes or no."""
+    import numpy as np
+
+    try:
+        yes_or_no = np.asarray(value).dtype.kind == "b"
+    except Exception:
+        yes_or_no = False
+    return encode(np.asarray(value, dtype=float) if yes_or_no else value)
+
+
 def assigned_names(source):
     """Names that a cell would set; where it is not Python, every name before an equals sign."""
     try:
@@ -249,7 +260,7 @@ class Functions:
         results = self.results[name]
         for i, arguments in enumerate(calls):
             share = self.seconds / len(calls) if name in self.slow else self.seconds
-            result, error = limited(lambda given=arguments: encode(function(*fresh(given))), max(share, 0.01))
+            result, error = limited(lambda given=arguments: encode_result(function(*fresh(given))), max(share, 0.01))
             if isinstance(error, CellTimeout):
                 self.slow.add(name)
             if error or result["k"] == "error":

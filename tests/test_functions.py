@@ -1,6 +1,8 @@
 """Answers that are functions: what they are called with, how groups earn, and where a call cannot be made."""
 
 import json
+from io import BytesIO
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -10,11 +12,12 @@ from kinegrade.course.check import check_file
 from kinegrade.course.config import read_course
 from kinegrade.course.gradebook import Gradebook
 from kinegrade.course.grading import SheetMarker
+from kinegrade.course.submissions import Submission
 from kinegrade.course.validate import validate_file
 from kinegrade.exercises.arguments import arrived
 from kinegrade.exercises.catalogue import load
 from kinegrade.exercises.exercise import Function, Mistake, Numbers, Outcome, Part, Results, references
-from kinegrade.grader.ask import Ask, AskError
+from kinegrade.grader.ask import Ask, AskError, Limits
 from kinegrade.grader.calls import Group, accepted, counting, share
 from kinegrade.grader.collect import collect
 from kinegrade.grader.handed_in import handed_in
@@ -480,3 +483,58 @@ def test_a_mistake_of_a_function_is_still_named():
     mistakes = (Mistake("You forgot the root.", lambda *_: lambda x: x),)
     (verdict,) = mark(rooted(check=None, mistakes=mistakes), {}, {"t_f": results([1], [4], [9])})
     assert "You forgot the root." in [finding.text for finding in verdict.findings]
+
+
+# --- yes and no
+
+
+@pytest.mark.parametrize("value", ["x > 1.5", "bool(x > 1.5)", "[x > 1.5]", "np.array([[x > 1.5]])"])
+def test_yes_and_no_are_one_and_zero(value):
+    found = collect(notebook("import numpy as np", f"def f(x): return {value}"), [Ask("f", ((1.0,), (2.0,)))])["f"]
+    assert [result.value.ravel().tolist() for result in found.value] == [[0.0], [1.0]]
+
+
+YES = {"yours": [(0.5,), (-0.5,)], "more": [(0.25,)]}
+
+
+@pytest.mark.parametrize(
+    ("name", "data", "points"),
+    [
+        ("one.json", b'{"t_f": [1, 0, 1]}', 4),
+        ("one.json", b'{"t_f": [true, false, true]}', 4),
+        ("one.json", b'{"t_f": [[1], [[0]], 1]}', 4),
+        ("one.json", b'{"t_f": [1, 1, 1]}', 0),
+        ("one.csv", b"t_f 1\n1\nt_f 2\n0\nt_f 3\n1\n", 4),
+        ("one.csv", b"t_f 1\n0\nt_f 2\n0\nt_f 3\n0\n", 0),
+        ("one.mat", {"t_f": [[1.0], [0.0], [True]]}, 4),
+    ],
+)
+def test_results_that_are_one_number_each_are_read_from_a_file(name, data, points):
+    if isinstance(data, dict):
+        data = matlab_cells("t_f", [np.array([cell]) for cell in data["t_f"]])
+    answer = Function("(x)", lambda _: YES, published=lambda _: YES)
+    exercise = exercise_of(Part("t_f", "f?", 4, answer, lambda *_: lambda x: float(x > 0)))
+    submission = Submission(Path(name), data)
+    (verdict,) = mark(exercise, {}, submission.raws(submission.asks(exercise, {}), Limits()))
+    assert verdict.points == points, verdict
+
+
+def matlab_cells(name, values):
+    """The bytes of a .mat file with a cell array."""
+    from scipy.io import savemat
+
+    cells = np.empty((1, len(values)), dtype=object)
+    cells[0, :] = values
+    file = BytesIO()
+    savemat(file, {name: cells})
+    return file.getvalue()
+
+
+def test_a_vector_in_a_file_is_the_vector_of_a_function():
+    calls = {"yours": [([1.0, 2.0],), ([3.0, 4.0],)]}
+    answer = Function("(x)", lambda _: calls, published=lambda _: calls)
+    exercise = exercise_of(Part("t_f", "f?", 4, answer, lambda *_: lambda x: 2 * x))
+    for name, data in (("one.csv", b"t_f 1\n2, 4\nt_f 2\n6, 8\n"), ("one.json", b'{"t_f": [[2, 4], [6, 8]]}')):
+        submission = Submission(Path(name), data)
+        (verdict,) = mark(exercise, {}, submission.raws(submission.asks(exercise, {}), Limits()))
+        assert verdict.points == 4, verdict

@@ -189,7 +189,7 @@ def test_a_function_is_told_group_by_group(course):
     assert [line.partition(":")[0] for line in said[: len(groups)]] == list(groups)
     assert said[0] == f"{planar}: {len(groups[planar])} of {len(groups[planar])} right."
     for name, line in zip(others, said[1:], strict=False):
-        assert line.startswith(f"{name}: 0 of {len(groups[name])} right; the first that is not gave: call ")
+        assert line.startswith(f"{name}: 0 of {len(groups[name])} right; the first that is not gave: <b>")
         assert "<b>IndexError</b>" in line
     assert "<table" not in text
     assert f"{part.points / len(groups):g} of {part.points:g} points" in text

@@ -84,3 +84,9 @@ def test_a_need_is_rounded_to_its_own_decimals_where_they_are_fewer():
     given = {"t_x": np.eye(2)}
     allowed = tolerance(exercise, fine, {}, given, fine.solve({}, given))
     assert (allowed > 0.005).all()
+
+
+def test_forces_and_moments_are_measured_each_against_the_largest_of_their_kind():
+    answer = Numbers((6,), ["N"] * 3 + ["N m"] * 3)
+    wrench = np.array([100.0, -250, 0, 2, 0.5, -8])
+    np.testing.assert_array_equal(block_scale(answer, wrench, 0.3), [250] * 3 + [8] * 3)
