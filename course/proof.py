@@ -37,8 +37,9 @@ class Failure:
 
 
 def failures_of(exercise: Exercise, v: dict[str, Any], seed: int) -> Iterator[Failure]:
-    """All that is wrong with one draw."""
+    """All that is wrong with one draw, each under the first kind of proof that it spoils."""
     key = AnswerKey(exercise, v)
+    known: set[tuple[str, str]] = set()
     for kind, found in (
         ("full marks", _without_full_marks(exercise, v, key)),
         ("nonsense", _paid_nonsense(exercise, v, key)),
@@ -48,7 +49,9 @@ def failures_of(exercise: Exercise, v: dict[str, Any], seed: int) -> Iterator[Fa
         ("solution", _unsolved(exercise, v, key, seed)),
     ):
         for part, sentence in _told(found):
-            yield Failure(kind, seed, part, sentence)
+            if (part, sentence) not in known:
+                known.add((part, sentence))
+                yield Failure(kind, seed, part, sentence)
 
 
 def _told(found: "Found") -> list[tuple[str, str]]:

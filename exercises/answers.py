@@ -91,8 +91,8 @@ class Configurations:
     """A list of up to `most` configurations of `joints` numbers each, judged by the part's `check`.
 
     Its value is an array (m, joints); with one joint a plain list is read too. How many rows there are is not said on
-    the sheet. `in_order` are rows that follow one another, such as the iterates of a method; without, a sheet says that a
-    wrong one costs a right one.
+    the sheet. `in_order` are rows that follow one another, such as the iterates of a method; without, a sheet says
+    that a wrong one costs a right one.
     """
 
     joints: int
@@ -111,8 +111,8 @@ class Function:
     inside dicts and lists too; other lists stay lists. The reference, which is a function too, gets the same.
 
     An answer agrees within `tolerance` of the reference; a part's own `check` gets `Results` and judges instead. A
-    group of calls is one item of the feedback and earns its share when all of it is right. Where all its results are alike,
-    such as zeros, it does so only beside a right result of another kind: a constant function earns nothing.
+    group of calls is one item of the feedback and earns its share when all of it is right. Where all its results are
+    alike, such as zeros, it does so only beside a right result of another kind: a constant function earns nothing.
     `published(v)` are the calls whose results a student without Python hands in.
     """
 

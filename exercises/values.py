@@ -52,8 +52,9 @@ def names_on_sheet(names: Iterable[str], v: Variant) -> tuple[str, ...]:
 def pictured(answer: Answer, value: Any, v: Variant) -> NDArray[np.float64] | None:
     """Numbers that a declared value comes to, None for what is marked by hand.
 
-    Tables become their cells at the variant's q (at fixed joint values where none is drawn), formulas their values at three fixed points (3, ...), choices the
-    place of the letter, functions their results for the first call of each group.
+    Tables become their cells at the variant's q (at fixed joint values where none is drawn), formulas their values at
+    three fixed points (3, ...), choices the place of the letter, functions their results for the first call of each
+    group.
     """
     return _PICTURED[type(answer)](answer, value, v)
 
