@@ -134,7 +134,8 @@ def _displayed(step: Step, decimals: int) -> Iterator[str]:
     if step.formula is not None:
         yield f"$${left}{closed_form(step.formula)}$$"
     if step.numbers is not None:
-        yield f"$${left}{matrix(step.numbers, decimals)}$$"
+        shown = decimals if step.decimals is None else step.decimals
+        yield f"$${left}{matrix(step.numbers, shown)}$$"
 
 
 def _heading(course: str, sheet: Sheet, student: Student, pairs: Sequence[Pair]) -> str:

@@ -88,13 +88,14 @@ class Step:
     """One step of a worked solution: text with the general formula, a closed form, then the student's numbers.
 
     `text` is Markdown with LaTeX between dollar signs; `symbol` is the LaTeX left-hand side of `formula` (sympy, or
-    formulas) and of `numbers` (an array, printed to the decimals of its part).
+    formulas) and of `numbers` (an array, printed to `decimals`, by default those of its part).
     """
 
     text: str
     symbol: str = ""
     formula: Any = None
     numbers: ArrayLike | None = None
+    decimals: int | None = None
 
 
 @dataclass(frozen=True)

@@ -173,6 +173,7 @@ class _Placed:
                     return shows[name](self.names, v, answers)
                 return answers[name] if name in answers else v[name]
 
-            return [*steps(solution, value)]
+            drawn = {name: x for name, x in v.items() if name not in shows and name not in known}
+            return [*steps(solution, value, drawn)]
 
         return explain

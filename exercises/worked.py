@@ -13,10 +13,10 @@ A value is that of the part itself, of an earlier one, of a drawn number, or of 
 
 import inspect
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from importlib import import_module
-from typing import Any
+from typing import Any, cast
 
 from ..solutions.expression import Expression
 from ..solutions.expression_array import ExpressionArray
@@ -77,14 +77,27 @@ def _joined(text: str) -> str:
     return " ".join(text.split())
 
 
-def steps(paragraphs: tuple[Paragraph, ...], value: Value) -> Iterator[Step]:
-    """The worked solution with its values. Raises ExerciseError where a value cannot stand in its place."""
+def steps(paragraphs: tuple[Paragraph, ...], value: Value, given: Mapping[str, Any]) -> Iterator[Step]:
+    """The worked solution with its values; those of the drawn numbers in `given` are shown as the sheet prints them.
+
+    Raises:
+        ExerciseError: a value cannot stand in its place.
+    """
     for paragraph in paragraphs:
         text = _filled(paragraph.text, value)
-        if paragraph.shown:
-            yield from _displayed(text, _filled(paragraph.symbol, value), value(paragraph.shown))
-        else:
+        shown = paragraph.shown
+        if not shown:
             yield Step(text)
+            continue
+        decimals = digits(given[shown]) if shown in given else None
+        yield from _displayed(text, _filled(paragraph.symbol, value), value(shown), decimals)
+
+
+def digits(printed: Any) -> int:
+    """The most decimals of any number in a drawn value."""
+    if isinstance(printed, list):
+        return max((digits(item) for item in cast("list[Any]", printed)), default=0)
+    return len(str(printed).partition(".")[2])
 
 
 def _filled(text: str, value: Value) -> str:
@@ -99,7 +112,7 @@ def _as_text(name: str, value: Any) -> str:
     raise ExerciseError(f"<{name}> stands in a text, which takes text or a number, got {type(value).__name__}")
 
 
-def _displayed(text: str, symbol: str, value: Any) -> Iterator[Step]:
+def _displayed(text: str, symbol: str, value: Any, decimals: int | None) -> Iterator[Step]:
     """A step that shows formulas or numbers; conditions, one below the other."""
     if isinstance(value, tuple):
         yield Step(text)
@@ -110,7 +123,7 @@ def _displayed(text: str, symbol: str, value: Any) -> Iterator[Step]:
     if formula is not None:
         yield Step(text, symbol, formula)
     else:
-        yield Step(text, symbol, numbers=value)
+        yield Step(text, symbol, numbers=value, decimals=decimals)
 
 
 def formula_of(value: Any) -> Any:

@@ -232,3 +232,22 @@ def test_an_array_has_no_place_in_a_text():
     bad = part(2, Numbers((2, 2), "m/rad"), shows={"how": lambda J: J})(J.solve)
     with pytest.raises(ExerciseError, match="<how> stands in a text, which takes text or a number, got ndarray"):
         explained(made(bad))
+
+
+def test_drawn_numbers_are_shown_with_the_digits_of_the_sheet():
+    @part(1, Numbers((2,), "rad/s", 1))
+    def twice(qdot):
+        r"""Twice the rates
+
+        The rates, as printed:
+        $$\dot{\mathbf q} = <qdot>$$
+
+        Twice as much:
+        $$2\dot{\mathbf q} = <twice>$$
+        """
+        return 2 * qdot
+
+    exercise = made(twice)
+    v = V | {"qdot": [1.25, -2.0]}
+    first, second = exercise.parts[0].explain(v, references(exercise, v))
+    assert (first.decimals, second.decimals) == (2, None)
