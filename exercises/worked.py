@@ -18,6 +18,7 @@ from dataclasses import dataclass
 from importlib import import_module
 from typing import Any, cast
 
+from ..solutions.condition import condition_sympy
 from ..solutions.expression import Expression
 from ..solutions.expression_array import ExpressionArray
 from ..solutions.table import Table
@@ -117,7 +118,7 @@ def _displayed(text: str, symbol: str, value: Any, decimals: int | None) -> Iter
     if isinstance(value, tuple):
         yield Step(text)
         for condition in value:  # pyright: ignore[reportUnknownVariableType]
-            yield Step("", symbol, is_zero(condition))
+            yield Step("", symbol, condition_sympy(condition))
         return
     formula = formula_of(value)
     if formula is not None:
@@ -134,9 +135,3 @@ def formula_of(value: Any) -> Any:
     if isinstance(value, Expression | ExpressionArray):
         return value.sympy()
     return value if hasattr(value, "free_symbols") else None
-
-
-def is_zero(condition: Any) -> Any:
-    """The equation condition = 0 in sympy, as it stands."""
-    sympy: Any = import_module("sympy")
-    return sympy.Eq(formula_of(condition), 0, evaluate=False)

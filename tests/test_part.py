@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from kinegrade.exercises.answers import Formulas, Numbers
+from kinegrade.exercises.answers import Conditions, Formulas, Numbers
 from kinegrade.exercises.exercise import ExerciseError, Outcome, references
 from kinegrade.exercises.part import exercise, part
 from kinegrade.solutions.robots import ROBOTS
@@ -251,3 +251,18 @@ def test_drawn_numbers_are_shown_with_the_digits_of_the_sheet():
     v = V | {"qdot": [1.25, -2.0]}
     first, second = exercise.parts[0].explain(v, references(exercise, v))
     assert (first.decimals, second.decimals) == (2, None)
+
+
+def test_a_joint_condition_is_shown_whole():
+    @part(1, Conditions(PLANAR.names, lambda _: {"q1": (-3.2, 3.2), "q2": (-3.2, 3.2)}))
+    def singular():
+        r"""All postures
+
+        They are:
+        $$<singular>$$
+        """
+        return ["sin(q1) = 0 and sin(q2) = 0"]
+
+    text, shown = explained(made(singular))
+    assert text.text == "They are:"
+    assert {str(equation) for equation in shown.formula.args} == {"Eq(sin(q1), 0)", "Eq(sin(q2), 0)"}
