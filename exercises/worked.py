@@ -18,7 +18,7 @@ from dataclasses import dataclass
 from importlib import import_module
 from typing import Any, cast
 
-from ..solutions.condition import condition_sympy
+from ..solutions.condition import Condition, condition_sympy
 from ..solutions.expression import Expression
 from ..solutions.expression_array import ExpressionArray
 from ..solutions.table import Table
@@ -117,7 +117,7 @@ def _displayed(text: str, symbol: str, value: Any, decimals: int | None) -> Iter
     """A step that shows formulas or numbers; conditions, one below the other."""
     if isinstance(value, tuple):
         yield Step(text)
-        for condition in value:  # pyright: ignore[reportUnknownVariableType]
+        for condition in cast("tuple[Condition, ...]", value):
             yield Step("", symbol, condition_sympy(condition))
         return
     formula = formula_of(value)
