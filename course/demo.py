@@ -28,7 +28,7 @@ SHEETS = (
     ("jacobian", "The manipulator Jacobian", "three_axis rrt puma_velocities"),
     ("columns", "Columns in every frame", "articulated_derivatives last_frame_columns prismatic_columns frames"),
     ("velocities", "Inverse velocities", "inverse_velocities pseudoinverse find_the_mistake implement_it"),
-    ("statics", "Forces at the hand", "statics"),
+    ("wishes", "Forces and wished poses", "statics desired_pose"),
 )
 COMMENT = "The key says it shorter; both parts of the argument are there."
 

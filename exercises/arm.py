@@ -112,13 +112,15 @@ class Arm:
         tool: str = "tool",
         lengths: Mapping[str, Ends] | None = None,
         arrows: bool = True,
+        more: Mapping[str, Array] | None = None,
     ) -> Drawing:
         """The arm as it stands, its base and tool frame under these names; an empty name draws no frame.
 
-        `lengths` are dimension lines: name to the two ends in base coordinates [m].
+        `lengths` are dimension lines: name to the two ends in base coordinates [m]. `more` are other frames that are
+        drawn: name to the frame (4, 4) in base coordinates.
         """
-        frames = ((np.eye(4), base), (self.T, tool))
-        triads = tuple(Triad(pose, label) for pose, label in frames if label)
+        frames = {base: np.eye(4), tool: self.T, **(more or {})}
+        triads = tuple(Triad(pose, label) for label, pose in frames.items() if label)
         lines = tuple(
             Dimension(point(np.asarray(start)), point(np.asarray(end)), name)
             for name, (start, end) in (lengths or {}).items()
