@@ -20,7 +20,7 @@ from .config import Sheet, Student
 from .formulas import page_text
 from .nonsense import NONSENSE
 from .notebook import notebooks, worked_steps
-from .solved import unsolved
+from .solved import unasked, unsolved
 
 LARGEST = 1e5  # a number that is still printed and typed with pleasure
 RENDERED = 2  # draws whose sheets are made in full, with figures
@@ -142,10 +142,12 @@ def _unrendered(exercise: Exercise, v: dict[str, Any], key: AnswerKey) -> Found:
 
 
 def _unsolved(exercise: Exercise, v: dict[str, Any], key: AnswerKey, seed: int) -> Found:
-    """Of the first draws the notebooks with their figures; of the very first, the worked solution run and marked."""
+    """What cannot be asked; of the first draws the notebooks, of the very first the worked solution run and marked."""
+    known = unasked(exercise, v, key)
+    yield from known.items()
     if seed >= RENDERED:
         return
     sheet = Sheet(name="validate", exercises=(exercise.slug,))
     _, solution = notebooks("validate", sheet, Student("validate", "validate"), [(exercise, v)])
     if seed == 0:
-        yield from unsolved(exercise, v, key, solution)
+        yield from unsolved(exercise, v, key, solution, known)

@@ -1,6 +1,6 @@
 """Proof that the worked solution of an exercise runs: its notebook, collected and marked as a student's would be."""
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -13,12 +13,8 @@ from .blanks import unprintable
 from .submissions import READERS, Submission
 
 
-def unsolved(exercise: Exercise, v: dict[str, Any], key: AnswerKey, solution: bytes) -> Iterator[tuple[str, str]]:
-    """Parts that the notebook with the worked solution does not earn in full, each with a sentence.
-
-    Named first are functions that cannot be printed and calls that cannot be made, whatever the file they are asked of.
-    Where no notebook can run, that is all.
-    """
+def unasked(exercise: Exercise, v: dict[str, Any], key: AnswerKey) -> dict[str, str]:
+    """Functions that cannot be printed, and calls that cannot be made, whatever the file they are asked of."""
     found = dict[str, str]()
     for part in exercise.asked:
         sentence = unprintable(part, key.reference[part.variable]) if isinstance(part.answer, Function) else ""
@@ -27,14 +23,18 @@ def unsolved(exercise: Exercise, v: dict[str, Any], key: AnswerKey, solution: by
     for suffix in READERS:
         asks = Submission(Path(f"solution{suffix}"), b"").asks(exercise, v)
         found |= {ask.name: ask.hindrance for ask in asks if ask.hindrance}
-    yield from found.items()
-    if not cannot_run():
-        yield from _without_full_marks(exercise, v, key, solution, found)
+    return found
 
 
-def _without_full_marks(
-    exercise: Exercise, v: dict[str, Any], key: AnswerKey, solution: bytes, known: dict[str, str]
+def unsolved(
+    exercise: Exercise, v: dict[str, Any], key: AnswerKey, solution: bytes, known: Collection[str]
 ) -> Iterator[tuple[str, str]]:
+    """Parts that the notebook with the worked solution does not earn in full, each with a sentence.
+
+    Parts that are `known` to be at fault are left out; where no notebook can run, all are.
+    """
+    if cannot_run():
+        return
     submission = Submission(Path("solution.ipynb"), solution)
     raws = submission.raws(submission.asks(exercise, v), Limits())
     for part, verdict in zip(exercise.asked, mark(exercise, v, raws, key=key), strict=True):

@@ -406,6 +406,24 @@ def test_validate_finds_a_call_that_cannot_be_made(tmp_path, argument, words):
     assert words in found["unsent_f"]
 
 
+def test_validate_makes_the_calls_of_every_draw(tmp_path):
+    path = tmp_path / "unsent.py"
+    text = UNSENT.replace("ARGUMENT", 'None if v["x"] > 0.7 else 0.25')
+    text = text.replace("return 2 * x", "return 2 * x if isinstance(x, float) else 1.0")
+    path.write_text(text, encoding="utf-8")
+    found = [failure for failure in validate_file(path, 20).failures if failure.kind == "solution"]
+    assert {failure.part for failure in found} == {"unsent_f"}
+    assert 0 < len(found) < 20
+    assert found[0].seed > 0
+    assert "an argument takes numbers" in found[0].sentence
+
+
+def test_a_check_with_a_flag_too_few_is_not_the_students_fault():
+    exercise = rooted(check=lambda *_: Outcome(right=[True]))
+    (verdict,) = mark(exercise, {}, {"t_f": results([1], [2], [3])})
+    assert (verdict.status, verdict.points) == ("not_graded", None)
+
+
 # --- worked solutions that run
 
 
