@@ -154,13 +154,23 @@ def _heading(course: str, sheet: Sheet, student: Student, pairs: Sequence[Pair])
         ),
         " ".join(
             [
-                "Units are metres, radians and seconds.",
+                f"Units are {_units(pairs)}.",
                 *_order_of_all(pairs),
                 "Round only what you hand in, and compute on with all digits.",
             ]
         ),
     ]
     return "\n\n".join(lines)
+
+
+def _units(pairs: Sequence[Pair]) -> str:
+    """The basic units of a sheet; newtons where a force or a moment is on it."""
+    forces = any(
+        np.char.startswith(np.array(unit).astype(str), "N").any()
+        for exercise, _ in pairs
+        for unit in exercise.units.values()
+    )
+    return "metres, radians, seconds and newtons" if forces else "metres, radians and seconds"
 
 
 def _orders(pairs: Sequence[Pair]) -> set[Rows]:

@@ -113,11 +113,13 @@ class Arm:
         lengths: Mapping[str, Ends] | None = None,
         arrows: bool = True,
         more: Mapping[str, Array] | None = None,
+        view: tuple[float, float] = Drawing.view,
+        stands: ArrayLike = Drawing.stands,
     ) -> Drawing:
         """The arm as it stands, its base and tool frame under these names; an empty name draws no frame.
 
         `lengths` are dimension lines: name to the two ends in base coordinates [m]. `more` are other frames that are
-        drawn: name to the frame (4, 4) in base coordinates.
+        drawn: name to the frame (4, 4) in base coordinates. `view` and `stands` are those of `Drawing`.
         """
         frames = {base: np.eye(4), tool: self.T, **(more or {})}
         triads = tuple(Triad(pose, label) for label, pose in frames.items() if label)
@@ -125,7 +127,8 @@ class Arm:
             Dimension(point(np.asarray(start)), point(np.asarray(end)), name)
             for name, (start, end) in (lengths or {}).items()
         )
-        return Drawing(self.chain, tuple(self.q.tolist()), caption, alt, triads, lines, arrows)
+        plate = point(np.asarray(stands))
+        return Drawing(self.chain, tuple(self.q.tolist()), caption, alt, triads, lines, arrows, view, plate)
 
 
 def arm_of(robot: Robot, v: Variant, names: tuple[str, ...] | None = None) -> Arm:

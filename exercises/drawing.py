@@ -33,7 +33,8 @@ class Triad:
 class Drawing:
     """An arm at one configuration `q` [rad, m], seen from `view` (azimuth, elevation) in degrees.
 
-    With `arrows`, each joint carries an arrow in its positive sense.
+    With `arrows`, each joint carries an arrow in its positive sense. The arm stands off its base plate along `stands`,
+    in base axes: on a wall or a ceiling, that is not z.
     """
 
     chain: "Chain"
@@ -44,6 +45,7 @@ class Drawing:
     dimensions: tuple[Dimension, ...] = ()
     arrows: bool = True
     view: tuple[float, float] = (-55.0, 22.0)
+    stands: Point = (0.0, 0.0, 1.0)
 
 
 def point(position: "NDArray[np.float64]") -> Point:

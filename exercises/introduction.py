@@ -88,10 +88,11 @@ def _table(arm: Arm) -> str:
 def _transforms(robot: Robot) -> str:
     lines = [rf"- $\mathbf T_{{{i - 1}}}^{{{i}}} = {_motions(steps)}$" for i, steps in enumerate(robot.rows, 1)]
     listed = "\n".join(lines)
-    return (
+    said = (
         r"Frame $i$ sits on the axis of joint $i$, with $\mathbf z_i$ along it. $T_x, T_y, T_z$ move along, and "
-        r"$R_x, R_y, R_z$ turn about, an axis of the current frame:\n\n" + listed
+        r"$R_x, R_y, R_z$ turn about, an axis of the current frame:"
     )
+    return f"{said}\n\n{listed}"
 
 
 def _motions(steps: Sequence[Any]) -> str:

@@ -33,7 +33,7 @@ def compose(drawing: Drawing, width: float) -> Scene:
     """The arm as a scene that can be looked into before it is written."""
     arm, scene = pose(drawing, width), Scene(width)
     bodies = [_body(scene, joint) for joint in arm.joints]
-    _base(scene, arm, bodies)
+    _base(scene, arm, bodies, arm.view.turn @ drawing.stands)
     for joint in arm.joints:
         _link(scene, arm, joint, bodies)
     tips = _hand(scene, arm, bodies)
@@ -58,9 +58,9 @@ def _body(scene: Scene, joint: Joint) -> Array:
     return scene.tube(*ends, joint.radius, colour=JOINT["R"], css=css, group=group, facets=16, capped=True)
 
 
-def _base(scene: Scene, arm: Arm, bodies: Sequence[Array]) -> None:
+def _base(scene: Scene, arm: Arm, bodies: Sequence[Array], up: Array) -> None:
     """Draws the base plate under the base frame and under the joints that sit there, and the column on it."""
-    up, foot, r = arm.view.turn[:, 2], arm.paths[0][0], arm.radius
+    foot, r = arm.paths[0][0], arm.radius
     drop = 0.0
     for joint in arm.joints:
         height, lean = float((joint.centre - foot) @ up), min(abs(float(joint.axis @ up)), 1.0)

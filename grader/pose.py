@@ -101,7 +101,10 @@ def _fitted(drawing: Drawing, points: Array, width: float) -> View:
     """The view in which `points`, the triads, the dimensions and what is drawn round them fill the picture."""
     turn, size = camera(*drawing.view), width / 420
     spots = [(p, np.full(3, -30.0), np.full(3, 30.0)) for p in points]
-    spots.append((np.zeros(3), np.array([-44.0, -18.0, 0.0]), np.array([44.0, 34.0, 0.0])))
+    if drawing.stands == (0.0, 0.0, 1.0):
+        spots.append((np.zeros(3), np.array([-44.0, -18.0, 0.0]), np.array([44.0, 34.0, 0.0])))
+    else:
+        spots.append((np.zeros(3), np.array([-44.0, -44.0, 0.0]), np.array([44.0, 44.0, 0.0])))
     for triad in drawing.triads:
         tips = 54.0 * (turn @ triad.pose[:3, :3]).T
         spots.append((triad.pose[:3, 3], tips.min(0) - 6, tips.max(0) + 6))

@@ -208,6 +208,22 @@ def test_the_curved_arrow_turns_counterclockwise_about_an_axis_that_points_at_th
     assert turning(draw(drawing(upside_down, (0.4,), **from_above))) > 0
 
 
+@pytest.mark.parametrize("stands", [(0.0, 0.0, 1.0), (0.0, 0.0, -1.0), (1.0, 0.0, 0.0), (-1.0, 0.0, 0.0)])
+def test_the_base_plate_lies_behind_the_arm_on_a_floor_a_ceiling_and_a_wall(stands: Point) -> None:
+    chain = from_standard([[0, 0.5, 1, 0]], "R")
+    case = drawing(chain, (0.4,), view=(-80.0, 10.0), stands=stands)
+    plate, foot = middle_of(parts(draw(case), "base")[0]), pose(case, 420).paths[0][0][:2]
+    away = np.array(camera(*case.view) @ stands)[:2]
+    assert (plate - foot) @ away < -5
+
+
+def middle_of(solid: ET.Element) -> Array:
+    """The middle of a cap in camera coordinates."""
+    (cap,) = solid.findall(SVG + "ellipse")
+    x, y = re.findall(r"-?[0-9.]+", cap.get("transform", ""))[:2]
+    return np.array([float(x), float(y)])
+
+
 @pytest.mark.parametrize(("base", "up"), [(np.eye(4), True), (elementary("Rx", pi), False)])
 def test_the_straight_arrow_points_along_the_axis(base: Array, up: bool) -> None:
     svg = draw(drawing(from_standard([[0, 0, 0, 0]], "P", base=base), (0.4,)))

@@ -154,6 +154,7 @@ def test_the_figure_shows_the_arm_as_it_is_mounted(seed):
     T = forward(drawing.chain, drawing.q)
     np.testing.assert_allclose(T, forward(chain_of(v), v["q"]), atol=1e-12)
     np.testing.assert_allclose(drawing.triads[-1].pose, T, atol=1e-12)
+    np.testing.assert_allclose(drawing.stands, chain_of(v).fixed[0][:3, 2], atol=1e-12)
     arm = arm_of(robot(v["structure"]), v)
     for line in drawn(arm).dimensions:
         assert np.linalg.norm(np.subtract(line.end, line.start)) == pytest.approx(v[line.name])

@@ -6,7 +6,7 @@ The shoulder stands beside axis 1, and a structure that has one of S1's rows is 
 import re
 from functools import lru_cache
 from importlib import import_module
-from itertools import product
+from itertools import pairwise, product
 from typing import Any
 
 import numpy as np
@@ -96,18 +96,14 @@ def letter(name: str, angle: str) -> str:
 
 
 def drawn(arm: Arm) -> Drawing:
-    """The arm at the student's q with its lengths and the point p."""
-    foot, shoulder, elbow, forearm, *_ = arm.origins.T
-    column = foot + arm.axes[:, 0] * arm.lengths["d1"]
+    """The arm on its mounting at the student's q, with its lengths and the point p."""
+    axis = arm.axes[:, 0]
+    path = [np.zeros(3), arm.lengths["d1"] * axis, *arm.origins.T[1:4], arm.p]
     return arm.drawing(
-        "Your arm at your q, with frame 6 in p.",
-        "Articulated arm with six revolute joints as it is mounted, drawn at your q with its lengths.",
+        "Your arm at your q, with frame 0 at its base and frame 6 in p, where axes 5 and 6 cross.",
+        "Arm with six revolute joints at your q: axes 2, 3 and 4 are parallel, axes 5 and 6 cross in p, behind link a4.",
         tool="6",
-        lengths={
-            "d1": (foot, column),
-            "a1": (column, shoulder),
-            "a2": (shoulder, elbow),
-            "a3": (elbow, forearm),
-            "a4": (forearm, arm.p),
-        },
+        lengths=dict(zip(LENGTHS, pairwise(path), strict=True)),
+        view=(35.0 if axis[1] > 0.5 else -55.0, 22.0),  # a wall is seen from its front
+        stands=axis,
     )
