@@ -73,8 +73,8 @@ class Arm:
 
     @property
     def chain(self) -> "Chain":
-        """The arm as a chain."""
-        return self.robot.chain(self.lengths)
+        """The arm as a chain, one for all postures."""
+        return _chain(self.robot, tuple(self.lengths.items()))
 
     @cached_property
     def J(self) -> Array:
@@ -145,6 +145,12 @@ def units_of(robot: Robot, names: tuple[str, ...] | None = None) -> dict[str, st
 
 
 @lru_cache(maxsize=256)
+def _chain(robot: Robot, lengths: tuple[tuple[str, float], ...]) -> "Chain":
+    """One chain for one student, since it is compiled when it is used first."""
+    return robot.chain(dict(lengths))
+
+
+@lru_cache(maxsize=256)
 def _kept(robot: Robot, lengths: tuple[tuple[str, float], ...], q: tuple[float, ...]) -> Arm:
-    """One arm for one student, so that a chain is compiled once."""
+    """One arm for one student, whose frames and Jacobian are computed once."""
     return Arm(robot, dict(lengths), np.array(q))

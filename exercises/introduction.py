@@ -1,6 +1,6 @@
 """What a sheet says of an arm where the exercise says nothing of its own: joints, table or frames, and its figure."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -8,7 +8,7 @@ import numpy as np
 from ..solutions.robot import Robot
 from .arm import Arm
 from .drawing import Drawing
-from .printed_table import cell_latex, printed_table, table_rows
+from .printed_table import cell_latex, printed_table, table_rows, with_numbers
 
 WORDS = {"R": "revolute", "P": "prismatic"}
 AXIS = {"standard": r"\mathbf z_{i-1}", "modified": r"\mathbf z_i"}
@@ -76,17 +76,15 @@ def _lengths(arm: Arm) -> dict[str, tuple[Any, Any]]:
     return lines
 
 
-def _table(arm: Arm) -> str:
-    fixed = {name: value for name, value in arm.robot.parameters.items() if name not in arm.lengths}
-    convention = arm.robot.convention
+def _table(robot: Robot, fixed: Mapping[str, float]) -> str:
     return (
-        f"Its table in the **{convention}** Denavit–Hartenberg convention (metres, radians), with ${AXIS[convention]}$ "
-        f"along the axis of joint $i$:\n\n{printed_table(table_rows(arm.robot, fixed))}"
+        f"Its table in the **{robot.convention}** Denavit–Hartenberg convention (metres, radians), with "
+        f"${AXIS[robot.convention]}$ along the axis of joint $i$:\n\n{printed_table(table_rows(robot, fixed))}"
     )
 
 
-def _transforms(robot: Robot) -> str:
-    lines = [rf"- $\mathbf T_{{{i - 1}}}^{{{i}}} = {_motions(steps)}$" for i, steps in enumerate(robot.rows, 1)]
+def _transforms(robot: Robot, fixed: Mapping[str, float]) -> str:
+    lines = [rf"- $\mathbf T_{{{i - 1}}}^{{{i}}} = {_motions(steps, fixed)}$" for i, steps in enumerate(robot.rows, 1)]
     listed = "\n".join(lines)
     said = (
         r"Frame $i$ sits on the axis of joint $i$, with $\mathbf z_i$ along it. $T_x, T_y, T_z$ move along, and "
@@ -95,12 +93,14 @@ def _transforms(robot: Robot) -> str:
     return f"{said}\n\n{listed}"
 
 
-def _motions(steps: Sequence[Any]) -> str:
-    return r"\,".join(rf"{motion[0]}_{motion[1]}({cell_latex(str(amount))})" for motion, amount in steps)
+def _motions(steps: Sequence[Any], fixed: Mapping[str, float]) -> str:
+    return r"\,".join(
+        rf"{motion[0]}_{motion[1]}({cell_latex(with_numbers(str(amount), fixed))})" for motion, amount in steps
+    )
 
 
-def _ends(robot: Robot) -> str:
+def _ends(robot: Robot, fixed: Mapping[str, float]) -> str:
     reached = f"is frame {robot.n}"
     if robot.tool:
-        reached = rf"is reached from frame {robot.n} by ${_motions(robot.tool)}$"
+        reached = rf"is reached from frame {robot.n} by ${_motions(robot.tool, fixed)}$"
     return f"The base frame is frame 0. The tool frame {reached}; its origin is the tool point."

@@ -18,8 +18,19 @@ def printed_table(rows: Sequence[Sequence[str]]) -> str:
 
 def table_rows(robot: Robot, fixed: Mapping[str, float] | None = None) -> list[list[str]]:
     """Cells of a robot's table as text, with numbers for the lengths in `fixed`."""
-    numbers = {name: f"{value:g}" for name, value in (fixed or {}).items()}
-    return [[numbers.get(str(cell), str(cell)) for cell in row] for row in robot.rows]
+    return [[with_numbers(str(cell), fixed or {}) for cell in row] for row in robot.rows]
+
+
+def with_numbers(text: str, fixed: Mapping[str, float]) -> str:
+    """A cell such as -a4 with numbers for the names in `fixed`; a negative one takes brackets behind a sign."""
+
+    def number(name: re.Match[str]) -> str:
+        if name[0] not in fixed:
+            return name[0]
+        shown = f"{fixed[name[0]]:g}"
+        return f"({shown})" if fixed[name[0]] < 0 and name.start() else shown
+
+    return re.sub(r"[A-Za-z]\w*", number, text)
 
 
 def cell_latex(text: str) -> str:

@@ -6,9 +6,11 @@ from answers import raws
 from kinegrade.course.validate import validate_file
 from kinegrade.exercises import questions as ask
 from kinegrade.exercises.answers import TableOf
+from kinegrade.exercises.arm import Arm
 from kinegrade.exercises.catalogue import load
 from kinegrade.exercises.draws import parallel_groups, posture
 from kinegrade.exercises.exercise import ExerciseError, references
+from kinegrade.exercises.introduction import introduction
 from kinegrade.exercises.part import exercise
 from kinegrade.grader.mark import mark
 from kinegrade.solutions.jacobian import jacobian
@@ -19,6 +21,7 @@ FILE = '''"""Ready-made questions for one robot."""
 import numpy as np
 from kinegrade.exercises import questions as ask
 from kinegrade.exercises.draws import posture, rates
+from kinegrade.exercises.introduction import introduction
 from kinegrade.exercises.part import exercise
 from kinegrade.exercises.twists import rate_units, twist_units, wrench_units
 from kinegrade.solutions.robots import ROBOTS
@@ -206,3 +209,14 @@ def test_parallel_axes_are_found():
     assert parallel_groups(ROBOTS["planar_2r"]) == [(0, 1)]
     assert parallel_groups(ROBOTS["rrt_spherical"]) == []
     assert (0, 1) in parallel_groups(ROBOTS["scara"])
+
+
+def test_an_arm_is_introduced_by_its_table_with_numbers_for_what_is_not_drawn():
+    robot = ROBOTS["panda"]
+    said = introduction(Arm(robot, {"d1": 0.3}, np.zeros(7)))
+    assert r"| $1$ | $q_1$ | $d_1$ | $0$ | $0$ |" in said
+    assert r"| $5$ | $q_5$ | $0.384$ | $-0.0825$ | $-\pi/2$ |" in said
+    assert r"by $T_z(0.103)\,R_z(-\pi/4)$" in said
+    frames = introduction(Arm(ROBOTS["three_axis"], {"L": 1.0}, np.zeros(3)))
+    assert "\n- $\\mathbf T_{0}^{1} = T_z(L)\\,R_z(q_1)$\n" in frames
+    assert r"T_y(2)\,R_z(q_3)" in frames
