@@ -16,8 +16,9 @@ AXIS = {"standard": r"\mathbf z_{i-1}", "modified": r"\mathbf z_i"}
 
 def introduction(arm: Arm) -> str:
     """Joint types, the table or the transforms with numbers for lengths that were not drawn, and the ends."""
-    described = _transforms(arm.robot) if arm.robot.convention == "frames" else _table(arm)
-    return "\n\n".join([f"{arm.robot.title} ({joint_types(arm.kinds)}).", described, _ends(arm.robot)])
+    fixed = {name: value for name, value in arm.robot.parameters.items() if name not in arm.lengths}
+    described = _transforms(arm.robot, fixed) if arm.robot.convention == "frames" else _table(arm.robot, fixed)
+    return "\n\n".join([f"{arm.robot.title} ({joint_types(arm.kinds)}).", described, _ends(arm.robot, fixed)])
 
 
 def joint_types(kinds: str) -> str:
