@@ -18,7 +18,9 @@ def introduction(arm: Arm) -> str:
     """Joint types, the table or the transforms with numbers for lengths that were not drawn, and the ends."""
     fixed = {name: value for name, value in arm.robot.parameters.items() if name not in arm.lengths}
     described = _transforms(arm.robot, fixed) if arm.robot.convention == "frames" else _table(arm.robot, fixed)
-    return "\n\n".join([f"{arm.robot.title} ({joint_types(arm.kinds)}).", described, _ends(arm.robot, fixed)])
+    alike = len({*arm.kinds}) == 1
+    joints = f"all joints {WORDS[arm.kinds[0]]}" if alike else joint_types(arm.kinds)
+    return "\n\n".join([f"{arm.robot.title} ({joints}).", described, _ends(arm.robot, fixed)])
 
 
 def joint_types(kinds: str) -> str:
