@@ -42,11 +42,12 @@ def test_the_demonstration_marks_a_class_of_twelve_and_twice_the_same(tmp_path, 
     first = capsys.readouterr()
     course = read_course(folder)
     found = {name: grades(folder, name) for name, *_ in SHEETS}
-    for rows in found.values():
+    for name, rows in found.items():
         assert [*rows] == STUDENTS
         assert [row["name"] for row in rows.values()] == [habit.title for habit in HABITS]
         assert share(rows["student01"]) == 1
-        assert share(rows["student02"]) > 0.7  # rounded to fewer decimals than asked
+        least = 0.4 if name == "wishes" else 0.7  # a wished pose asks for six decimals
+        assert share(rows["student02"]) > least  # rounded to fewer decimals than asked
         assert share(rows["student09"]) == 0  # empty
 
     jacobian = {student: share(row) for student, row in found["jacobian"].items()}

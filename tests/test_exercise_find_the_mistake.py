@@ -9,7 +9,8 @@ import pytest
 from answers import EXERCISES, right_raws, variant_of
 from kinegrade.course.notebook import printed
 from kinegrade.exercises.arm import arm_of
-from kinegrade.exercises.catalogue.find_the_mistake import FORMS, KINDS, OPTIONS, SLIPS, robot
+from kinegrade.exercises.arms.twisted import FORMS, KINDS, robot
+from kinegrade.exercises.catalogue.find_the_mistake import OPTIONS, SLIPS
 from kinegrade.exercises.catalogue.find_the_mistake import slip_of as slip_of_arm
 from kinegrade.exercises.columns import right
 from kinegrade.exercises.exercise import references

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 from answers import EXERCISES, right_raws, variant_of
 from kinegrade.exercises.arm import arm_of
-from kinegrade.exercises.catalogue.puma_velocities import ALONE, FAMILIES, FREE, HELD, WORDINGS, elbow_height
+from kinegrade.exercises.arms.puma import FAMILIES, elbow_height
+from kinegrade.exercises.catalogue.puma_velocities import ALONE, FREE, HELD, WORDINGS
 from kinegrade.exercises.exercise import references
 from kinegrade.grader.mark import mark
 from kinegrade.grader.wire import Raw

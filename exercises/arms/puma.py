@@ -1,8 +1,12 @@
 """The Puma 560 as the sheets of S3 5 show it."""
 
+import numpy as np
+
 from ...solutions.robots import ROBOTS
-from ..arm import Arm
+from ...solutions.singularity import sigma_min
+from ..arm import Arm, arm_of
 from ..drawing import Drawing
+from ..draws import angles, until
 from ..printed_table import printed_table, table_rows
 
 PUMA = ROBOTS["puma560"]
@@ -19,3 +23,49 @@ def drawn(arm: Arm) -> Drawing:
         "Puma 560 arm with six revolute joints, drawn at your q.",
         arrows=False,
     )
+
+
+REGULAR = 0.1  # smallest singular value of J in a drawn posture: rates stay moderate and rounding harmless
+NEAR = (0.02, 0.06)  # the same where the wrist is nearly straight
+LARGE = 3.0  # the largest rate there is at least [rad/s]
+CLEAR = 0.1  # of the elbow from the straight line between shoulder and wrist centre [m]
+NEAR_SINGULAR = "near wrist-singular"
+FAMILIES = {
+    "generic": "",
+    "elbow up": "In your posture the elbow lies above the straight line from the shoulder to the wrist centre.",
+    "elbow down": "In your posture the elbow lies below the straight line from the shoulder to the wrist centre.",
+    NEAR_SINGULAR: "Your posture is close to a wrist singularity, $q_5 = 0$: in (c) large joint rates are right.",
+}
+
+
+def posture(rng: np.random.Generator, family: str, speed: float) -> list[float]:
+    """A posture of a family; near the wrist's singular one, a speed [m/s] along base x takes large rates."""
+    return until(lambda: _drawn(rng, family), lambda q: _belongs(arm_of(PUMA, {"q": q}), family, speed))
+
+
+def _drawn(rng: np.random.Generator, family: str) -> list[float]:
+    q = angles(rng, 6, [(1, 2)])
+    if family == NEAR_SINGULAR:
+        q[4] = round(float(rng.choice([-1, 1]) * rng.uniform(0.08, 0.18)), 3)
+    return q
+
+
+def _belongs(arm: Arm, family: str, speed: float) -> bool:
+    """Whether the posture is regular, but for the wrist of the last family, and its elbow where the family says."""
+    smallest = sigma_min(arm.J)
+    if family == NEAR_SINGULAR:
+        largest = np.abs(np.linalg.solve(arm.J, speed * np.eye(6)[0])).max()
+        is_near = NEAR[0] <= smallest <= NEAR[1]
+        return bool(sigma_min(arm.J[:3, :3]) >= REGULAR and is_near and largest >= LARGE)
+    height = elbow_height(arm)
+    is_there = {"elbow up": height >= CLEAR, "elbow down": height <= -CLEAR}.get(family, True)
+    return bool(smallest >= REGULAR and is_there)
+
+
+def elbow_height(arm: Arm) -> float:
+    """How far the elbow lies above the line from shoulder to wrist centre [m], in the plane normal to axis 2."""
+    shoulder, elbow, wrist = arm.frames[[1, 2, 4], :3, 3]
+    axis = arm.axes[:, 1]
+    across = np.eye(3) - np.outer(axis, axis)
+    link, line = across @ (elbow - shoulder), across @ (wrist - shoulder)
+    return float((link - line * (link @ line) / (line @ line))[2])

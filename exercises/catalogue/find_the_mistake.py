@@ -4,31 +4,23 @@ Structure and numbers of the arm are drawn, and so is the mistake. Every matrix 
 from every other one on the drawn arm, so that there is one right name.
 """
 
-from functools import lru_cache
-from itertools import combinations, product
+from itertools import combinations
 from typing import Any
 
 import numpy as np
 
-from ...solutions.robot import Robot
 from .. import columns
 from ..answers import LETTERS, Choice, Numbers
 from ..arm import Arm, Array, arm_of
+from ..arms.twisted import FORMS, KINDS, LENGTHS, MODIFIED, UNITS, drawn, modified, robot
 from ..columns import Slip
-from ..drawing import Drawing
 from ..draws import angles, length, until
 from ..exercise import Outcome
 from ..part import exercise, part
 from ..printed_table import printed_table, table_rows
 
-KINDS = "RRPR"
-LENGTHS = ("d1", "a1", "d2", "a3", "d4", "a4")
-TWISTS = ("pi/2", "-pi/2")
-FORMS = tuple(product(TWISTS, TWISTS, TWISTS, combinations(("a1", "d2", "a3", "d4"), 2)))
 DIFFERENT = 0.05  # between the matrices of two mistakes, in some entry
 ROUNDING = 3e-3  # frames at three decimals, multiplied along the arm
-UNITS = [["m/rad", "m/rad", "1", "m/rad"]] * 3 + [["1"] * 4] * 3
-MODIFIED = "This is what comes out when the table is read in the modified convention; it is a standard one."
 SLIPS = (
     Slip(columns.LATE_AXES, columns.late_axes),
     Slip(columns.OWN_LINK, columns.own_link),
@@ -40,14 +32,8 @@ SLIPS = (
     Slip(columns.TOOL_AXES, columns.tool_axes),
 )
 OPTIONS = (  # one for each, in their order
-    (
-        r"the joint axes are taken from the wrong frames: $\mathbf z_i$ stands for $\mathbf z_{i-1}$ in every column, "
-        "in the linear and in the angular rows"
-    ),
-    (
-        r"the levers end at the joint's own link: $\mathbf o_i - \mathbf o_{i-1}$ stands for "
-        r"$\mathbf o_n - \mathbf o_{i-1}$"
-    ),
+    r"the joint axes are taken from the wrong frames: $\mathbf z_i$ stands for $\mathbf z_{i-1}$ in every column, in the linear and in the angular rows",
+    r"the levers end at the joint's own link: $\mathbf o_i - \mathbf o_{i-1}$ stands for $\mathbf o_n - \mathbf o_{i-1}$",
     r"the levers begin at the base: $\mathbf o_n - \mathbf o_0$ stands for $\mathbf o_n - \mathbf o_{i-1}$",
     r"the cross products are taken in the reverse order, $(\mathbf o_n - \mathbf o_{i-1}) \times \mathbf z_{i-1}$",
     "the prismatic joint is treated as a revolute one",
@@ -61,11 +47,11 @@ def draw(rng: np.random.Generator) -> dict[str, Any]:
     """An arm of one of 48 forms, a posture in which no two mistakes look alike, and the matrix of one of them."""
     slip, form = int(rng.integers(len(SLIPS))), int(rng.integers(len(FORMS)))
 
-    def drawn() -> dict[str, Any]:
+    def arm() -> dict[str, Any]:
         lengths = {name: length(rng, 0.2, 0.6) for name in robot(form).parameters}
         return {**lengths, "q": [*angles(rng, 2), length(rng, 0.3, 0.9), *angles(rng, 1)], "form": form}
 
-    v = until(drawn, lambda v: all_differ(arm_of(robot(form), v), form))
+    v = until(arm, lambda v: all_differ(arm_of(robot(form), v), form))
     W = SLIPS[slip].columns(arm_of(robot(form), v).frames, KINDS)
     return v | {"W": (np.round(W, 3) + 0.0).tolist()}
 
@@ -75,28 +61,6 @@ def all_differ(arm: Arm, form: int) -> bool:
     wrong = [slip.columns(arm.frames, KINDS) for slip in SLIPS]
     known = [columns.right(arm.frames, KINDS), modified(arm, form), *wrong]
     return all(np.abs(a - b).max() >= DIFFERENT for a, b in combinations(known, 2))
-
-
-@lru_cache
-def robot(form: int, *, convention: Any = "standard") -> Robot:
-    """The arm of one form, with every length 1 m by default."""
-    *twists, offsets = FORMS[form]
-    lengths = [name for name in LENGTHS if name in ("d1", "a4", *offsets)]
-    d1, a1, d2, a3, d4, a4 = (name if name in lengths else "0" for name in LENGTHS)
-    rows = (
-        ("q1", d1, a1, twists[0]),
-        ("q2", d2, "0", twists[1]),
-        ("0", "q3", a3, twists[2]),
-        ("q4", d4, a4, "0"),
-    )
-    limits = ((-np.pi, np.pi), (-np.pi, np.pi), (0.3, 0.9), (-np.pi, np.pi))
-    sizes = dict.fromkeys(lengths, 1.0)
-    return Robot("find_the_mistake", "RRPR arm", sizes, rows, limits, "made for this exercise", convention)
-
-
-def modified(arm: Arm, form: int) -> Array:
-    """The Jacobian of the table, read in the modified convention."""
-    return Arm(robot(form, convention="modified"), arm.lengths, arm.q).J
 
 
 def slip_of(arm: Arm, W: Array) -> int:
@@ -188,29 +152,18 @@ angular rows, at your $\mathbf q$, somebody handed in your matrix $\mathbf W$. I
 but for **one** mistake, which was made wherever it can be made."""
 
 
-def drawings(arm: Arm) -> Drawing:
-    """The arm at the student's q."""
-    return arm.drawing(
-        "The arm at your q, with frame 0 and the tool frame.",
-        "Arm with two revolute joints, a slide and a third revolute joint, drawn at the student's q.",
-    )
-
-
 EXERCISE = exercise(
     "find_the_mistake",
     title="Find the mistake in a Jacobian",
     source="S3 5.1, S4",
     minutes=35,
-    objectives=(
-        "Check a Jacobian column by column.",
-        "Tell the usual mistakes in a Jacobian from each other.",
-    ),
+    objectives=("Check a Jacobian column by column.", "Tell the usual mistakes in a Jacobian from each other."),
     robot=robot,
     units={**dict.fromkeys(LENGTHS, "m"), "q": ["rad", "rad", "m", "rad"], "W": UNITS},
     symbols={"W": r"\mathbf W"},
     structure=("form",),
     draw=draw,
     statement=statement,
-    drawings=drawings,
+    drawings=drawn,
     parts=(name, J),
 )

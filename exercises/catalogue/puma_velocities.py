@@ -11,18 +11,13 @@ import numpy as np
 
 from ...solutions.singularity import sigma_min
 from ..answers import Numbers
-from ..arm import Arm, Array, arm_of
-from ..arms.puma import PUMA, REACH, TABLE, drawn
+from ..arm import Arm, Array
+from ..arms.puma import FAMILIES, NEAR_SINGULAR, PUMA, REACH, REGULAR, TABLE, drawn, posture
 from ..columns import LATE, TOOL_AXES, late, tool_axes
-from ..draws import angles, rates, until
+from ..draws import rates
 from ..exercise import Outcome
 from ..part import exercise, part
 from ..readings import LINEAR, TRANSPOSED, WHOLE, Speed, judged_rates, rates_for
-
-REGULAR = 0.1  # smallest singular value of J in a drawn posture: rates stay moderate and rounding harmless
-NEAR_SINGULAR = (0.02, 0.06)  # the same where the wrist is nearly straight
-LARGE = 3.0  # the largest rate there is at least [rad/s]
-CLEAR = 0.1  # of the elbow from the straight line between shoulder and wrist centre [m]
 
 HELD, FREE, ALONE = "orientation held (omega = 0)", "orientation free, least norm", "only vx prescribed, least norm"
 WORDINGS = {
@@ -34,12 +29,6 @@ STILL_WRIST = (
     "The tool point lies where the wrist axes meet, so that the wrist cannot move it: the linear rows of columns 4 to 6 "
     "are zero, and so are these rates."
 )
-FAMILIES = {
-    "generic": "",
-    "elbow up": "In your posture the elbow lies above the straight line from the shoulder to the wrist centre.",
-    "elbow down": "In your posture the elbow lies below the straight line from the shoulder to the wrist centre.",
-    "near wrist-singular": "Your posture is close to a wrist singularity, $q_5 = 0$: in (c) large joint rates are right.",
-}
 
 
 def statement(wording: str, family: str) -> str:
@@ -55,38 +44,10 @@ def draw(rng: np.random.Generator) -> dict[str, Any]:
     """A wording, a posture of one of four families, joint rates, and a speed along base x."""
     family = str(rng.choice([*FAMILIES]))
     # Where only the linear velocity is prescribed the wrist stands still, and rates are never large.
-    wording = HELD if family == "near wrist-singular" else str(rng.choice([*WORDINGS]))
+    wording = HELD if family == NEAR_SINGULAR else str(rng.choice([*WORDINGS]))
     speed = round(float(rng.integers(20, 81)) / 100, 2)
-    q = until(lambda: posture(rng, family), lambda q: belongs(arm_of(PUMA, {"q": q}), family, speed))
+    q = posture(rng, family, speed)
     return {"q": q, "qdot_b": rates(rng, 6), "vx_c": speed, "wording": wording, "family": family}
-
-
-def posture(rng: np.random.Generator, family: str) -> list[float]:
-    q = angles(rng, 6, [(1, 2)])
-    if family == "near wrist-singular":
-        q[4] = round(float(rng.choice([-1, 1]) * rng.uniform(0.08, 0.18)), 3)
-    return q
-
-
-def belongs(arm: Arm, family: str, speed: float) -> bool:
-    """Whether the posture is regular, but for the wrist of the last family, and its elbow where the family says."""
-    smallest = sigma_min(arm.J)
-    if family == "near wrist-singular":
-        largest = np.abs(rates_for(arm.J, WORDINGS[HELD].twist(speed))).max()
-        is_near = NEAR_SINGULAR[0] <= smallest <= NEAR_SINGULAR[1]
-        return bool(sigma_min(arm.J[:3, :3]) >= REGULAR and is_near and largest >= LARGE)
-    height = elbow_height(arm)
-    is_there = {"elbow up": height >= CLEAR, "elbow down": height <= -CLEAR}.get(family, True)
-    return bool(smallest >= REGULAR and is_there)
-
-
-def elbow_height(arm: Arm) -> float:
-    """How far the elbow lies above the line from shoulder to wrist centre [m], in the plane normal to axis 2."""
-    shoulder, elbow, wrist = arm.frames[[1, 2, 4], :3, 3]
-    axis = arm.axes[:, 1]
-    across = np.eye(3) - np.outer(axis, axis)
-    link, line = across @ (elbow - shoulder), across @ (wrist - shoulder)
-    return float((link - line * (link @ line) / (line @ line))[2])
 
 
 @part(
