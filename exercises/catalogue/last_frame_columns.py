@@ -4,104 +4,38 @@ S1 names the formulas after n, o, a and p, the columns of the transform from fra
 printed, for two columns on paper; the rest is for the notebook.
 """
 
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from ...solutions.jacobian import last_frame_columns
-from ...solutions.robots import ROBOTS
 from ..answers import Numbers
 from ..arm import Arm, Array, arm_of
+from ..arms.hand import CONVENTION, DEGREES, ROBOT, drawn, in_degrees, modified
 from ..draws import angles, length, until
+from ..last_frame import HALF, WAY_BACK, WRONG, columns_of, shows_mistakes, to_last, turned
 from ..part import exercise, part
 from ..printed_table import printed_table, table_rows
-from ..question import Question, Wrong
-
-# S1's arm with a hand of length d6 on axis 6, and as it is read by mistake.
-ARM = ROBOTS["articulated_6r"]
-ROBOT = replace(ARM, parameters={**ARM.parameters, "d6": 0.1}, rows=[*table_rows(ARM)[:5], ["q6", "d6", "0", "0"]])
-MODIFIED = replace(ROBOT, convention="modified")
-RIGHT_ANGLES = {"pi/2": "90", "-pi/2": "-90", "0": "0"}
-IN_DEGREES = replace(ROBOT, rows=[(theta, d, a, RIGHT_ANGLES[alpha]) for theta, d, a, alpha in table_rows(ROBOT)])
+from ..question import Question
 
 TWIST_UNITS = ["m/rad"] * 3 + ["1"] * 3
 COLUMN = Numbers((6,), TWIST_UNITS, 3)
 WHOLE = Numbers((6, 6), [[unit] for unit in TWIST_UNITS], 3)
 POSE_UNITS = [["1", "1", "1", "m"]] * 3 + [["1"] * 4]
-SHOWS = 0.05  # by which a mistake changes a column, and the size of its linear rows
-
-
-def to_last(arm: Arm) -> Array:
-    """Transforms (7, 4, 4) from each frame to the last."""
-    return np.linalg.inv(arm.frames) @ arm.T
-
-
-def columns_of(T: Array) -> Array:
-    """J (6, 6) in the axes of the last frame from the first six transforms."""
-    return last_frame_columns(T[:6], "R" * 6)
-
-
-def rows_for_columns(arm: Arm) -> Array:
-    """n, o and a taken from the rows of the rotation."""
-    T = to_last(arm)
-    T[:, :3, :3] = T[:, :3, :3].mT
-    return columns_of(T)
-
-
-def sums_for_differences(arm: Arm) -> Array:
-    """Both products of a linear row added, which p_y with the other sign does, too."""
-    T = to_last(arm)
-    T[:, 1, 3] *= -1
-    return columns_of(T)
-
-
-def modified(arm: Arm) -> Array:
-    """Transforms (7, 4, 4) to the last frame where the table is read in the modified convention."""
-    frames = replace(arm, robot=MODIFIED).frames
-    return np.linalg.inv([np.eye(4), *frames[:6]]) @ frames[-1]
-
-
-def in_degrees(arm: Arm) -> Array:
-    """Transforms (7, 4, 4) to the last frame with every angle in degrees in functions that take radians."""
-    return to_last(replace(arm, robot=IN_DEGREES, q=np.degrees(arm.q)))
-
-
-ROWS = "Rows and columns of the rotation seem exchanged: n, o and a are its columns, and n_z is the last entry of n."
-NEXT = "This comes out of the transform of another frame: column i takes the one from frame i - 1."
-SIGNS = "Every sign of the linear rows is reversed: which of the two products is subtracted?"
-CONVENTION = "The table seems to be read in the modified convention; look again at the order of the motions of a row."
-DEGREES = "Angles in degrees seem to have gone into a sine or cosine that takes radians."
-WAY_BACK = "The rotation seems to be turned the other way round: whose axes are its columns?"
-HALF = "Which of the two blocks change when only the axes change?"
-WRONG: tuple[Wrong, ...] = (
-    ("Look again at the signs of the linear rows: one of the two products is subtracted.", sums_for_differences),
-    (ROWS, rows_for_columns),
-    (NEXT, lambda arm: columns_of(to_last(arm)[1:])),
-    ("This is in base axes; the axes of frame 6 are asked.", lambda arm: arm.J),
-    (SIGNS, lambda arm: columns_of(to_last(arm)) * np.repeat([[-1], [1]], 3, axis=0)),
-)
 
 
 def draw(rng: np.random.Generator) -> dict[str, Any]:
     """An arm, two columns for the paper, and their transforms with four decimals; every known mistake shows."""
     columns = sorted(int(i) for i in rng.choice([1, 2, 3, 4, 5], 2, replace=False))
 
-    def drawn() -> dict[str, Any]:
+    def arm() -> dict[str, Any]:
         v: dict[str, Any] = {"columns": columns, "a2": length(rng), "a3": length(rng)}
         return v | {"a4": length(rng, 0.2, 0.6), "d6": length(rng, 0.2, 0.5), "q": angles(rng, 6, [(1, 2), (1, 2, 3)])}
 
-    v = until(drawn, lambda v: shows_mistakes(arm_of(ROBOT, v), [i - 1 for i in columns]))
+    v = until(arm, lambda v: shows_mistakes(arm_of(ROBOT, v), [i - 1 for i in columns]))
     first, second = columns
     printed = np.round(to_last(arm_of(ROBOT, v)), 4) + 0.0
     return v | {"TA": printed[first - 1].tolist(), "TB": printed[second - 1].tolist()}
-
-
-def shows_mistakes(arm: Arm, columns: list[int]) -> bool:
-    """Whether every known mistake changes the columns on paper (indices from 0), and no column is small."""
-    J = columns_of(to_last(arm))
-    changes = [np.abs(wrong(arm) - J)[:, columns].max(axis=0).min() for _, wrong in WRONG]
-    return min(changes) > SHOWS and bool((np.linalg.norm(J[:3, :5], axis=0) > SHOWS).all())
 
 
 @part(0, Numbers((2, 4, 4)), asked=False)
@@ -128,15 +62,20 @@ def on_paper(k: int) -> Question:
     - Name the columns of the printed matrix n, o, a and p first.
     - The linear rows are the same formula three times, with n, o and a in turn.
 
-    Column <i> takes T{X}, the transform from the frame before it, with the columns $\mathbf n, \mathbf o, \mathbf a, \mathbf p$:
-    $$\mathbf T_{X} = <T{X}>$$
+    Column <i> takes $\mathbf T_{{<before>}}^{{6}}$, with the columns $\mathbf n, \mathbf o, \mathbf a, \mathbf p$:
+    $$\mathbf T_{{<before>}}^{{6}} = <T{X}>$$
 
     The linear rows are $-n_x p_y + n_y p_x$, $-o_x p_y + o_y p_x$ and $-a_x p_y + a_y p_x$: the velocity $\mathbf z \times \mathbf p$
     of the hand along each axis of frame 6. The angular rows are $n_z, o_z, a_z$, the axis $\mathbf z$ in that frame:
-    $$\mathbf J_{X} = <{X}>$$
+    $$\mathbf J_{{<i>}} = <{X}>$$
     """
     mistakes = [(text, lambda arm, columns, *, way=way: way(arm)[:, columns[k] - 1]) for text, way in WRONG]
-    return part(2, COLUMN, mistakes=mistakes, shows={"i": lambda columns: int(columns[k])})(column).called(X)
+    return part(
+        2,
+        COLUMN,
+        mistakes=mistakes,
+        shows={"i": lambda columns: int(columns[k]), "before": lambda columns: int(columns[k]) - 1},
+    )(column).called(X)
 
 
 @part(
@@ -165,11 +104,6 @@ def J(T: Array) -> Array:
     $$\mathbf J^{6} = <J>$$
     """
     return columns_of(T)
-
-
-def turned(R: Array, J: Array) -> Array:
-    """J (6, 6) with both blocks turned by R; a rounded R is no rotation for `in_axes`."""
-    return np.concatenate([R @ J[:3], R @ J[3:]])
 
 
 @part(
@@ -214,8 +148,6 @@ entries of the last column in metres:
 - TB is $\mathbf T_{{{second - 1}}}^{{6}}$, for **column B**, which is column {second} of $\mathbf J^{{6}}$."""
 
 
-CAPTION = "Your arm at your q, with frame 0 and frame 6."
-ALT = "Articulated arm with six revolute joints, drawn at your q with its base frame and its hand frame."
 EXERCISE = exercise(
     "last_frame_columns",
     title="The Jacobian in the last frame",
@@ -231,6 +163,6 @@ EXERCISE = exercise(
     structure=("columns",),
     draw=draw,
     statement=statement,
-    drawings=lambda arm: arm.drawing(CAPTION, ALT, tool="6", arrows=False),
+    drawings=drawn,
     parts=(printed, T, on_paper(0), on_paper(1), J, base),
 )
