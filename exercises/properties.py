@@ -89,6 +89,14 @@ def named_multiple(value: ExpressionArray, determinant: ExpressionArray, names: 
     return Outcome(finding=MULTIPLE)
 
 
+def without_zeros(value: ExpressionArray, right: ExpressionArray, names: Sequence[str]) -> Outcome:
+    """Each right formula that is not zero earns its share, each wrong zero costs one: zeros alone earn nothing."""
+    same = same_formulas(value, right, names)
+    earning = np.array([bool(entry.names) for entry in right.entries]).reshape(right.shape)
+    share = int((same & earning).sum()) - int((~same & ~earning).sum())
+    return Outcome(share=max(0, share) / int(earning.sum()))
+
+
 def listed(
     values: ArrayLike, wanted: ArrayLike, tolerance: float, *, periodic: bool = True
 ) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
