@@ -3,7 +3,9 @@
 From anything else, a student's own, it is put together and not simplified, since it is compared and never printed.
 """
 
+from collections.abc import Sequence
 from functools import lru_cache
+from importlib import import_module
 from typing import Any
 
 import numpy as np
@@ -106,3 +108,19 @@ def _different_numbers(numbers: NDArray[np.float64]) -> int:
     """How many, but for signs, zeros and ones."""
     sizes = np.unique(np.round(np.abs(numbers), 6))
     return int(((sizes != 0) & (sizes != 1)).sum())
+
+
+def jacobian_of_position(pose: ExpressionArray, printed: Sequence[str], names: Sequence[str], rows: int) -> Any:
+    """The derivatives (m, n) in sympy of a pose (m,) by the joints among `names`; its first `rows` are a position.
+
+    Raises:
+        EasierError: the pose is the `printed` one of another arm, or no joint stands in a derivative of a coordinate.
+    """
+    if same_formulas(pose, expression_array(printed, names), names).all():
+        raise EasierError("nothing follows from the pose of another arm, whose Jacobian is printed in the source")
+    sympy: Any = import_module("sympy")
+    q = sympy.symbols([name for name in names if name.startswith("q")], real=True)
+    J = pose.sympy().jacobian(q)
+    if any(entry.free_symbols.isdisjoint(q) for entry in J[:rows, :]):
+        raise EasierError("coordinates take formulas whose derivatives depend on a joint")
+    return J

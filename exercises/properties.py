@@ -6,7 +6,7 @@ from itertools import product
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..solutions.expression_array import POINTS, ExpressionArray, same_formulas, sample
+from ..solutions.expression_array import POINTS, ExpressionArray, same_formulas, sample, sampled
 from .exercise import Outcome
 
 Array = NDArray[np.float64]
@@ -87,6 +87,25 @@ def named_multiple(value: ExpressionArray, determinant: ExpressionArray, names: 
     if same_formulas(value, determinant, names).all() or not proportional(value, determinant, names):
         return None
     return Outcome(finding=MULTIPLE)
+
+
+def without_zeros(value: ExpressionArray, right: ExpressionArray, names: Sequence[str]) -> Outcome:
+    """Each right formula that is not zero earns its share, each wrong zero costs one: zeros alone earn nothing."""
+    same = same_formulas(value, right, names)
+    earning = np.array([bool(entry.names) for entry in right.entries]).reshape(right.shape)
+    share = int((same & earning).sum()) - int((~same & ~earning).sum())
+    return Outcome(share=max(0, share) / int(earning.sum()))
+
+
+def up_to_full_turns(
+    value: ExpressionArray, right: ExpressionArray, names: Sequence[str], angles: Sequence[int]
+) -> Outcome:
+    """Formulas (n,), of which those in the places `angles` may differ by full turns."""
+    same = same_formulas(value, right, names)
+    turns = (sampled(value, names) - sampled(right, names)) / TURN
+    for i in angles:
+        same[i] = np.isfinite(turns[:, i]).all() and np.abs(turns[:, i] - np.round(turns[:, i])).max() < 1e-9
+    return Outcome(right=same)
 
 
 def listed(

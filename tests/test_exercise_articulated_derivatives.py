@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 from answers import EXERCISES, right_raws, variant_of
 from kinegrade.exercises.arm import arm_of
-from kinegrade.exercises.arms.articulated import LENGTHS, NAMES, S1, STRUCTURES, drawn, in_letters, robot
-from kinegrade.exercises.catalogue.articulated_derivatives import derivatives
+from kinegrade.exercises.arms.articulated import LENGTHS, NAMES, S1, STRUCTURES, derivatives, drawn, in_letters, robot
 from kinegrade.exercises.exercise import references
 from kinegrade.grader.mark import mark
 from kinegrade.grader.wire import Raw

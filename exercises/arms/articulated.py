@@ -1,9 +1,10 @@
-"""The articulated arm of S1, Example 2.25, mounted in many ways, and its position as S1 prints it.
+"""The articulated arm of S1, Example 2.25, mounted in many ways, and its position as S1 prints and differentiates it.
 
 The shoulder stands beside axis 1, and a structure that has one of S1's rows is left out.
 """
 
 import re
+from collections.abc import Callable
 from functools import lru_cache
 from importlib import import_module
 from itertools import pairwise, product
@@ -11,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from ...solutions.expression_array import ExpressionArray, expression_array
 from ...solutions.robot import Robot
 from ...solutions.robots import ROBOTS
 from ..arm import Arm, arm_of
@@ -20,6 +22,8 @@ from ..draws import angles, length, until
 
 LENGTHS = ("d1", "a1", "a2", "a3", "a4")
 NAMES = (*LENGTHS, "q1", "q2", "q3", "q4", "q5", "q6")
+Way = Callable[[Any, int], list[Any]]
+"""Row i of the linear block of a closed form, right or wrong: six formulas in sympy."""
 S1 = ROBOTS["articulated_6r"]
 MOUNTINGS = {
     "floor": ("stands on the floor, with axis 1 along base z", ()),
@@ -77,6 +81,18 @@ def mounted(structure: int) -> str:
     return MOUNTINGS[STRUCTURES[structure][0]][0]
 
 
+def described(arm: Arm, structure: int) -> str:
+    """What a sheet says of the arm and of the position of its hand, with the letters explained."""
+    position: Any = arm.closed.T[:3, 3]
+    p = r" \\ ".join(map(in_letters, position))
+    return rf"""The arm has six revolute joints and {mounted(structure)}. $\mathbf p$ is the point in which axes 5 and 6 cross, the
+origin of frame 6. In base axes it is
+
+$$\mathbf p = \begin{{bmatrix}} p_x \\ p_y \\ p_z \end{{bmatrix}} = \begin{{bmatrix}} {p} \end{{bmatrix}}$$
+
+with $C_1 = \cos q_1$, $S_2 = \sin q_2$, $C_{{23}} = \cos(q_2 + q_3)$, $S_{{234}} = \sin(q_2 + q_3 + q_4)$ and so on."""
+
+
 def in_letters(p: Any) -> str:
     """LaTeX of a coordinate as S1 has it: C_1 in front, C_{23} for cos(q2 + q3)."""
     text = str(factored(p))
@@ -107,3 +123,48 @@ def drawn(arm: Arm) -> Drawing:
         view=(35.0 if axis[1] > 0.5 else -55.0, 22.0),  # a wall is seen from its front
         stands=axis,
     )
+
+
+def row_of(form: Any, i: int) -> list[Any]:
+    """Row i of the linear block as it is."""
+    return [*form.J[i, :]]
+
+
+@lru_cache(maxsize=1024)
+def derivatives(robot: Robot, i: int, way: Way = row_of) -> ExpressionArray:
+    """Row i of the linear block, right or in a wrong way; made once."""
+    return expression_array(way(robot.symbolic(), i), NAMES)
+
+
+def own_link_only(form: Any, i: int) -> list[Any]:
+    """Each of joints 2, 3, 4 moves its own link alone."""
+    a3, a4 = form.parameters[3:]
+    first, second, third, *rest = form.J[i, :]
+    return [first, second.subs({a3: 0, a4: 0}), third.subs(a4, 0), *rest]
+
+
+def two_links_only(form: Any, i: int) -> list[Any]:
+    """Joint 2 does not move the last link."""
+    first, second, *rest = form.J[i, :]
+    return [first, second.subs(form.parameters[4], 0), *rest]
+
+
+def signs_forgotten(form: Any, i: int) -> list[Any]:
+    """No minus in the derivative of a cosine; in a coordinate without cosines, one in that of a sine."""
+    cos: Any = import_module("sympy").cos
+    p, q = form.T[i, 3], form.joints
+    wrong = [p.has(cos(q[0])), *[p.has(cos(q[1]))] * 3, False, False] if p.has(cos) else [True] * 6
+    return [-entry if is_wrong else entry for entry, is_wrong in zip(form.J[i, :], wrong, strict=True)]
+
+
+def wrist_counted(form: Any, i: int) -> list[Any]:
+    """Columns 5 and 6 like column 4."""
+    return [*form.J[i, :4], *[form.J[i, 3]] * 2]
+
+
+SLIPS: tuple[tuple[str, Way], ...] = (
+    ("Look again at the angles that are sums: which links move when q2 alone changes?", own_link_only),
+    ("Column 2: an angle that is a sum of three joints depends on each of them.", two_links_only),
+    ("Look again at the signs: one of sine and cosine takes a minus when it is differentiated.", signs_forgotten),
+    ("Columns 5 and 6: which joints stand in p?", wrist_counted),
+)

@@ -5,6 +5,7 @@ where q2 = 0 [quarter turns]. A sheet draws one of the first nine; the others ar
 """
 
 from collections.abc import Callable
+from dataclasses import replace
 from functools import lru_cache
 from itertools import product
 from typing import Any
@@ -14,15 +15,21 @@ import numpy as np
 from ...solutions.chain import elementary
 from ...solutions.robot import Robot
 from ..answers import Variant
-from ..arm import Array, arm_of
+from ..arm import Arm, Array, arm_of
 from ..columns import columns
+from ..drawing import Drawing
 from ..draws import CLEARANCE, angles, length, until
+from ..exercise import Outcome
+from ..printed_table import cell_latex
 
 NAMES = ("l1", "l2", "beta", "q1", "q2")
 DRAWN = 9
 BENT = 0.3  # smallest |sin| of q2 and of the angle between the links
 FORMS = tuple((*senses, quarter) for senses, quarter in product(((1, -1), (-1, 1), (-1, -1), (1, 1)), (0, 1, -1)))
 SIGN = {1: "+", -1: "-"}
+UP = np.array([0.0, 0.0, 1.0])
+NEAR = 2e-3  # how far rounded numbers may be from a known mistake that is followed or paid less
+OMEGA = 0.2  # share of the points that a wrong angular entry costs where the linear rows are right
 QUARTER = {0: "", 1: " + pi/2", -1: " - pi/2"}
 
 
@@ -78,6 +85,14 @@ def pose_formulas(first: str, second: str) -> list[str]:
     return [f"l1*cos({first}) + l2*cos({second})", f"l1*sin({first}) + l2*sin({second})", second]
 
 
+SOURCE = pose_formulas("q1", "q1 + q2")
+ANGLES: dict[str, Callable[[int], str]] = {
+    "angle1": lambda form: cell_latex(angle_formulas(form)[0]),
+    "angle2": lambda form: cell_latex(angle_formulas(form)[1]),
+    "bend": lambda form: cell_latex(bend_formula(form).strip("+")),
+}  # of both links and between them, in LaTeX
+
+
 def slopes(form: int, inner: tuple[int, ...] = (), minus: int = -1) -> list[list[str]]:
     """The 3 x 2 Jacobian of the pose, with other inner derivatives of the angles or another derivative of a cosine."""
     x, y, second = pose(form)
@@ -124,6 +139,16 @@ def jacobian(v: Variant) -> Array:
     return columns(arm.axes.T, levers(transforms(v)), "RR")
 
 
+ALONE = "Link 2 seems to be at the angle of joint 2 alone; joint 1 turns it too."
+EXCHANGED = "Sine and cosine are exchanged: which of them belongs to x?"
+MINUS = "The derivative of the cosine is the sine with a minus sign; look again at the row of x."
+CHAIN_RULE = "A factor of the chain rule seems to be missing: the derivative of each angle with respect to q1 or q2."
+LINK_2 = "A term of column 1 is missing: joint 1 moves link 2 as well."
+FROM_1 = "The second transform seems to start at frame 1; both shall start at frame 0."
+ORDER = "The two transforms seem to be multiplied in the wrong order."
+FROM_BASE = "The lever arm of column 2 seems to start at the base; it starts at joint 2."
+TO_JOINT_2 = "The lever arm of column 1 seems to end at joint 2; it ends at the tool point."
+OMEGA_SENSE = "Both angular columns seem to turn counter-clockwise; look again at the positive senses."
 MOUNTING = "The angle beta of the mounting does not seem to be in it; where does link 1 point at q1 = 0?"
 SENSE = "Each joint's angle seems to count counter-clockwise; look again at the positive senses."
 SENSE_1 = "The angle of joint 1 seems to be counted the other way; look again at its positive sense."
@@ -151,3 +176,50 @@ def misread(solve: Callable[[Variant], Any]) -> list[tuple[str, Callable[[Varian
 def misreadings(v: Variant) -> list[Variant]:
     """The student's numbers with the form of each reading."""
     return [{**v, "form": FORMS.index(read(*FORMS[v["form"]]))} for _, read in READINGS]
+
+
+def less_omega(right: Array) -> Outcome:
+    """Angular entries alone are a sign each: wrong ones cost a share, but not the linear rows above them."""
+    wrong = int((~right[2]).sum())
+    return Outcome(share=1 - OMEGA * wrong if right[:2].all() and wrong else None)
+
+
+def same_reading(value: Array, v: Variant, T: Array, J: Array) -> Outcome:
+    """A misread arm is followed from its transforms on, and linear rows under wrong angular ones are paid."""
+    for other in misreadings(v):
+        if np.abs(T - transforms(other)).max() <= NEAR and np.abs(value - jacobian(other)).max() <= NEAR:
+            return Outcome(right=np.ones((6, 2), dtype=bool))
+    right = np.abs(value - J) <= NEAR
+    return less_omega(right[[0, 1, 5]]) if right[2:5].all() else Outcome()
+
+
+def described(form: int) -> str:
+    """What a sheet says of the arm, of its frames and of its pose."""
+    one, two, quarter = FORMS[form]
+    way = {1: "counter-clockwise", -1: "clockwise"}
+    at_zero = "link 2 points the way link 1 points"
+    if quarter:
+        at_zero = f"link 2 stands at a right angle to link 1, 90° {way[quarter]} from the way link 1 points"
+    return rf"""Two links of lengths $l_1$ and $l_2$ move in the plane of $\mathbf x_0$ and $\mathbf y_0$. Frame 0 is fixed, its origin is on the
+axis of joint 1, and $\mathbf z_0$ points towards you. All turns are named as you see them from there.
+
+- The arm is mounted at an angle: where $q_1 = 0$, link 1 points in the direction that $\mathbf x_0$ takes when it is turned by
+  $\beta$ counter-clockwise (clockwise if $\beta$ is negative).
+- Positive $q_1$ turns link 1 **{way[one]}**.
+- Positive $q_2$ turns link 2 **{way[two]}** against link 1; where $q_2 = 0$, {at_zero}.
+
+Frame 1 has its origin on the axis of joint 2, frame 2 at the tool point at the end of link 2. $\mathbf x_1$ points along link 1 and
+$\mathbf x_2$ along link 2, away from the base; $\mathbf z_1$ and $\mathbf z_2$ are parallel to $\mathbf z_0$. $x$ and $y$ are the
+coordinates of the tool point in frame 0, and $\theta$ is the angle from $\mathbf x_0$ to $\mathbf x_2$, counter-clockwise positive."""
+
+
+def drawn(arm: Arm) -> list[Drawing]:
+    """The arm at home with its lengths, and at the student's q."""
+    home = arm.at([0.0, 0.0])
+    foot, knee = home.origins.T
+    lines = {"l1": (foot, knee), "l2": (knee, home.p)}
+    said = "Home pose, q1 = q2 = 0, mounted at the angle beta, with the positive sense of each joint."
+    alt = "Planar arm with two links and two revolute joints, seen from obliquely above. "
+    postures = [(home, said, lines), (arm, "The same arm at your q.", None)]
+    found = [one.drawing(caption, alt + caption, tool="", lengths=ends) for one, caption, ends in postures]
+    return [replace(drawing, view=(-75.0, 52.0)) for drawing in found]

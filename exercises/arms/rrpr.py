@@ -5,9 +5,10 @@ from functools import lru_cache
 from itertools import product
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ...solutions.robot import Robot
-from ..arm import Arm, units_of
+from ..arm import Arm, Array, units_of
 from ..drawing import Drawing
 from ..draws import angles, length
 from ..printed_table import printed_table, table_rows
@@ -47,6 +48,11 @@ def posture(rng: np.random.Generator) -> list[float]:
     """A generic q (4,) [rad, m] of the arm."""
     q1, q2, q4 = angles(rng, 3)
     return [q1, q2, length(rng, 0.3, 0.8), q4]
+
+
+def rotation_at(form: int, q: ArrayLike) -> Array:
+    """Rotation (3, 3) of the tool frame; lengths do not matter for it."""
+    return robot(form).frames(None, q)[-1, :3, :3]
 
 
 def level(form: int, arm: Arm) -> Arm:

@@ -4,20 +4,28 @@ S1 prints the position and the first row for an arm on the floor. Here the mount
 sense of joints 2 to 4 are drawn, and the shoulder stands beside axis 1, so that none of those rows is the answer.
 """
 
-from collections.abc import Callable
-from functools import lru_cache
-from importlib import import_module
 from typing import Any
 
 import numpy as np
 
-from ...solutions.expression_array import ExpressionArray, expression_array, same_formulas
-from ...solutions.robot import Robot
+from ...solutions.expression_array import ExpressionArray
 from ..answers import Choice, Formulas, Numbers
 from ..arm import Arm, Array
-from ..arms.articulated import LENGTHS, NAMES, S1, STRUCTURES, drawn, factored, in_letters, mounted, posture, robot
-from ..exercise import Outcome
+from ..arms.articulated import (
+    LENGTHS,
+    NAMES,
+    S1,
+    SLIPS,
+    STRUCTURES,
+    derivatives,
+    described,
+    drawn,
+    factored,
+    posture,
+    robot,
+)
 from ..part import exercise, part
+from ..properties import without_zeros
 from ..question import Question
 
 
@@ -29,15 +37,8 @@ def draw(rng: np.random.Generator) -> dict[str, Any]:
 
 
 def statement(arm: Arm, structure: int, point: int, away: Array) -> str:
-    position: Any = arm.closed.T[:3, 3]
-    p = r" \\ ".join(map(in_letters, position))
     far, near = away
-    return rf"""The arm has six revolute joints and {mounted(structure)}. $\mathbf p$ is the point in which axes 5 and 6 cross, the
-origin of frame 6. In base axes it is
-
-$$\mathbf p = \begin{{bmatrix}} p_x \\ p_y \\ p_z \end{{bmatrix}} = \begin{{bmatrix}} {p} \end{{bmatrix}}$$
-
-with $C_1 = \cos q_1$, $S_2 = \sin q_2$, $C_{{23}} = \cos(q_2 + q_3)$, $S_{{234}} = \sin(q_2 + q_3 + q_4)$ and so on. The linear
+    return rf"""{described(arm, structure)} The linear
 rows $\mathbf J_v$ of its Jacobian, $\dot{{\mathbf p}} = \mathbf J_v \dot{{\mathbf q}}$, are its derivatives: the entry in row $x$ and column
 $j$ is the derivative of $p_x$ with respect to $q_j$. Start from $\mathbf p$ as it is printed here; how the arm is mounted and where
 its joints are zero is personal.
@@ -45,59 +46,7 @@ its joints are zero is personal.
 For the last question: {POINTS[point].format(far=far, near=near)}."""
 
 
-def row_of(form: Any, i: int) -> list[Any]:
-    return [*form.J[i, :]]
-
-
-@lru_cache(maxsize=1024)
-def derivatives(robot: Robot, i: int, way: Callable[[Any, int], list[Any]] = row_of) -> ExpressionArray:
-    """Row i of the linear block, right or in a wrong way; made once."""
-    return expression_array(way(robot.symbolic(), i), NAMES)
-
-
-def own_link_only(form: Any, i: int) -> list[Any]:
-    """Each of joints 2, 3, 4 moves its own link alone."""
-    a3, a4 = form.parameters[3:]
-    first, second, third, *rest = form.J[i, :]
-    return [first, second.subs({a3: 0, a4: 0}), third.subs(a4, 0), *rest]
-
-
-def two_links_only(form: Any, i: int) -> list[Any]:
-    """Joint 2 does not move the last link."""
-    first, second, *rest = form.J[i, :]
-    return [first, second.subs(form.parameters[4], 0), *rest]
-
-
-def signs_forgotten(form: Any, i: int) -> list[Any]:
-    """No minus in the derivative of a cosine; in a coordinate without cosines, one in that of a sine."""
-    cos: Any = import_module("sympy").cos
-    p, q = form.T[i, 3], form.joints
-    wrong = [p.has(cos(q[0])), *[p.has(cos(q[1]))] * 3, False, False] if p.has(cos) else [True] * 6
-    return [-entry if is_wrong else entry for entry, is_wrong in zip(form.J[i, :], wrong, strict=True)]
-
-
-def wrist_counted(form: Any, i: int) -> list[Any]:
-    """Columns 5 and 6 like column 4."""
-    return [*form.J[i, :4], *[form.J[i, 3]] * 2]
-
-
-MISTAKES = (
-    ("Look again at the angles that are sums: which links move when q2 alone changes?", own_link_only),
-    ("Column 2: an angle that is a sum of three joints depends on each of them.", two_links_only),
-    ("Look again at the signs: one of sine and cosine takes a minus when it is differentiated.", signs_forgotten),
-    ("Columns 5 and 6: which joints stand in p?", wrist_counted),
-)
 ON_SLIDES = "This is the row of the arm on the slides, which stands otherwise; start from p as your sheet prints it."
-
-
-def shared(value: ExpressionArray, right: ExpressionArray) -> Outcome:
-    """Each right derivative earns its share, each wrong zero costs one."""
-    same = same_formulas(value, right, NAMES)
-    earning = np.array([bool(entry.names) for entry in right.entries])
-    share = int((same & earning).sum()) - int((~same & ~earning).sum())
-    return Outcome(share=max(0, share) / int(earning.sum()))
-
-
 WRITTEN = (
     "with a * in every product and angles in radians, such as `a2*C2 + a3*C23`; C23 and S234 are read as on the sheet"
 )
@@ -127,16 +76,19 @@ def row(i: int) -> Question:
     return part(
         2,
         Formulas((6,), NAMES),
-        check=lambda value, arm: shared(value, derivatives(arm.robot, i)),
+        check=lambda value, arm: without_zeros(value, derivatives(arm.robot, i), NAMES),
         shows={
             "p": lambda arm: factored(arm.closed.T[i, 3]),
             "row": lambda arm: arm.closed.J[i, :].applyfunc(factored),
         },
         mistakes=(
-            *((said, lambda arm, *, way=way: derivatives(arm.robot, i, way)) for said, way in MISTAKES),
+            *((said, lambda arm, *, way=way: derivatives(arm.robot, i, way)) for said, way in SLIPS),
             (ON_SLIDES, lambda: derivatives(S1, i)),
         ),
     )(solve).called(x)
+
+
+SUMS = "Which angle does the index 234 stand for? Look again at the letters that the sheet explains."
 
 
 def with_single_angles(arm: Arm, x: ExpressionArray, y: ExpressionArray, z: ExpressionArray) -> Array:
@@ -148,12 +100,7 @@ def with_single_angles(arm: Arm, x: ExpressionArray, y: ExpressionArray, z: Expr
 @part(
     3,
     Numbers((3, 6), "m/rad", 3),
-    mistakes=(
-        (
-            "Which angle does the index 234 stand for? Look again at the letters that the sheet explains.",
-            with_single_angles,
-        ),
-    ),
+    mistakes=((SUMS, with_single_angles),),
 )
 def J(arm: Arm, x: ExpressionArray, y: ExpressionArray, z: ExpressionArray) -> Array:
     r"""The linear block $\mathbf J_v$ at your $\mathbf q$ and with your lengths, a 3 × 6 matrix with the rows $x, y, z$ of the base frame

@@ -4,20 +4,15 @@ The function is called with robots that the student has not seen. Who works with
 for the published robots.
 """
 
-from collections.abc import Callable
-from itertools import accumulate
 from typing import Any
 
 import numpy as np
 
-from ...solutions.chain import from_modified, standard_transform
-from ...solutions.jacobian import jacobian as jacobian_of_chain
 from ..answers import Calls, Function, Manual, Variant
 from ..arm import UNIT, Array
-from ..columns import ANGULAR_FIRST, SLIPS, Slip, angular_first
+from ..arms.any_table import MISREAD, TableFunction, any_table
 from ..part import exercise, part
 
-Answer = Callable[[Any, str, Any], Array]
 GROUPS = {
     "planar": ("RR", "RRR", "RRRR"),
     "prismatic": ("RRP", "RPP", "PRRP", "RPRRPR"),
@@ -48,27 +43,12 @@ numbers (.json, .csv, .mat), it holds the three Jacobians of these arms, in this
 
 def draw(rng: np.random.Generator) -> dict[str, Any]:
     """Hidden robots by group, as lists [dh, kinds, q], and three published ones."""
-    v: dict[str, Any] = {name: [robot(rng, kinds, name) for kinds in patterns] for name, patterns in GROUPS.items()}
+    v: dict[str, Any] = {}
+    for group, patterns in GROUPS.items():
+        v[group] = [any_table(rng, kinds, planar=group == "planar") for kinds in patterns]
     for i, kinds in enumerate(PUBLISHED, 1):
-        v[f"dh_{i}"], _, v[f"joints_{i}"] = robot(rng, kinds)
+        v[f"dh_{i}"], _, v[f"joints_{i}"] = any_table(rng, kinds)
     return v
-
-
-def robot(rng: np.random.Generator, kinds: str, group: str = "") -> list[Any]:
-    """A table with offsets, oblique axes (none in the plane) and links in both directions, and a posture."""
-    n = len(kinds)
-    theta = rng.uniform(-3, 3, n)
-    alpha = rng.choice([-1, 1], n) * rng.uniform(0.4, 2.7, n) * (group != "planar")
-    d = rng.choice([-1, 1], n) * rng.uniform(0.1, 0.8, n)
-    a = rng.choice([-1, 1], n) * rng.uniform(0.1, 0.8, n)
-    q = np.where(turning(kinds), rng.uniform(-2.5, 2.5, n), rng.uniform(0.2, 0.9, n))
-    dh = np.round(np.stack([theta, d, a, alpha], axis=1), 3) + 0.0
-    return [dh.tolist(), kinds, np.round(q, 3).tolist()]
-
-
-def turning(kinds: str) -> Array:
-    """Which joints are revolute, (n,)."""
-    return np.array([kind == "R" for kind in kinds])
 
 
 def hidden(v: Variant) -> Calls:
@@ -100,54 +80,13 @@ def reference(dh: "Array", kinds: str, q: "Array") -> "Array":
     return J
 
 
-def slipping(slip: Slip) -> Answer:
-    """A function that makes this mistake."""
-
-    def wrong(dh: Any, kinds: str, q: Any) -> Array:
-        rows = np.array(dh, dtype=float)
-        rows[:, 0] += np.where(turning(kinds), q, 0.0)
-        rows[:, 1] += np.where(turning(kinds), 0.0, q)
-        T = accumulate(standard_transform(rows), np.matmul, initial=np.eye(4))
-        return slip.columns(np.array([*T]), kinds)
-
-    return wrong
-
-
-def without_offsets(dh: Any, kinds: str, q: Any) -> Array:
-    """The joint variables in place of what stands in the table."""
-    rows = np.array(dh, dtype=float)
-    rows[turning(kinds), 0] = 0.0
-    rows[~turning(kinds), 1] = 0.0
-    return reference(rows, kinds, np.asarray(q))
-
-
-def modified(dh: Any, kinds: str, q: Any) -> Array:
-    """The table read in the modified convention."""
-    return jacobian_of_chain(from_modified(dh, kinds), q)
-
-
-def in_degrees(dh: Any, kinds: str, q: Any) -> Array:
-    """All angles taken as degrees."""
-    rows = np.array(dh, dtype=float)
-    rows[:, (0, 3)] = np.radians(rows[:, (0, 3)])
-    return reference(rows, kinds, np.where(turning(kinds), np.radians(q), q))
-
-
-WRONG: tuple[tuple[str, Answer], ...] = (
-    *((slip.sentence, slipping(slip)) for slip in (*SLIPS, Slip(ANGULAR_FIRST, angular_first))),
-    ("The offsets in the table are lost: q is added to them.", without_offsets),
-    ("The table is read in the modified convention; it is a standard one.", modified),
-    ("The angles seem to be taken as degrees; they are radians.", in_degrees),
-)
-
-
 @part(
     8,
     Function("(dh, kinds, q)", inputs=hidden, published=published),
     shows={"J_2": lambda v: reference(*published(v)["robot 2"][0])},
-    mistakes=[(sentence, lambda *, wrong=wrong: wrong) for sentence, wrong in WRONG],
+    mistakes=[(sentence, lambda *, wrong=wrong: wrong) for sentence, wrong in MISREAD],
 )
-def jacobian() -> Answer:
+def jacobian() -> TableFunction:
     r"""The function, under this name
 
     - Write a function for one row of the table first.

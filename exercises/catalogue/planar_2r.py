@@ -4,81 +4,34 @@ S2 prints the answers for an arm whose angles all count counter-clockwise from x
 at least one joint counts clockwise, and link 2 may stand at a right angle to link 1 where q2 = 0.
 """
 
-from dataclasses import replace
-from importlib import import_module
 from typing import Any
 
 import numpy as np
 
-from ...solutions.expression_array import ExpressionArray, expression_array, same_formulas, sampled
+from ...solutions.expression_array import ExpressionArray, same_formulas
 from ..answers import Formulas, Numbers, Variant
 from ..arm import Arm, Array
 from ..arms import planar as arms
-from ..arms.planar import FORMS, NAMES, misread
+from ..arms.planar import FORMS, NAMES, UP, misread
 from ..columns import columns
-from ..drawing import Drawing
-from ..exercise import ExerciseError, Outcome
+from ..exercise import Outcome
+from ..own_formulas import jacobian_of_position
 from ..part import exercise, part
-from ..printed_table import cell_latex
-
-UP = np.array([0.0, 0.0, 1.0])
-NEAR = 2e-3  # how far rounded numbers may be from a known mistake that is followed or paid less
-OMEGA = 0.2  # share of the points that a wrong angular entry costs where the linear rows are right
-
-
-def statement(form: int) -> str:
-    one, two, quarter = FORMS[form]
-    way = {1: "counter-clockwise", -1: "clockwise"}
-    at_zero = "link 2 points the way link 1 points"
-    if quarter:
-        at_zero = f"link 2 stands at a right angle to link 1, 90° {way[quarter]} from the way link 1 points"
-    return rf"""Two links of lengths $l_1$ and $l_2$ move in the plane of $\mathbf x_0$ and $\mathbf y_0$. Frame 0 is fixed, its origin is on the
-axis of joint 1, and $\mathbf z_0$ points towards you. All turns are named as you see them from there.
-
-- The arm is mounted at an angle: where $q_1 = 0$, link 1 points in the direction that $\mathbf x_0$ takes when it is turned by
-  $\beta$ counter-clockwise (clockwise if $\beta$ is negative).
-- Positive $q_1$ turns link 1 **{way[one]}**.
-- Positive $q_2$ turns link 2 **{way[two]}** against link 1; where $q_2 = 0$, {at_zero}.
-
-Frame 1 has its origin on the axis of joint 2, frame 2 at the tool point at the end of link 2. $\mathbf x_1$ points along link 1 and
-$\mathbf x_2$ along link 2, away from the base; $\mathbf z_1$ and $\mathbf z_2$ are parallel to $\mathbf z_0$. $x$ and $y$ are the
-coordinates of the tool point in frame 0, and $\theta$ is the angle from $\mathbf x_0$ to $\mathbf x_2$, counter-clockwise positive."""
-
-
-SOURCE = arms.pose_formulas("q1", "q1 + q2")
-SHOWN = {
-    "angle1": lambda form: cell_latex(arms.angle_formulas(form)[0]),
-    "angle2": lambda form: cell_latex(arms.angle_formulas(form)[1]),
-    "bend": lambda form: cell_latex(arms.bend_formula(form).strip("+")),
-}
-
-
-def full_turns(value: ExpressionArray, pose: ExpressionArray) -> Outcome:
-    """Theta may be reduced by full turns."""
-    turns = (sampled(value, NAMES) - sampled(pose, NAMES))[:, 2] / (2 * np.pi)
-    right = same_formulas(value, pose, NAMES)
-    right[2] = np.isfinite(turns).all() and np.abs(turns - np.round(turns)).max() < 1e-9
-    return Outcome(right=right)
+from ..properties import up_to_full_turns
 
 
 @part(
     3,
     Formulas((3,), NAMES),
-    check=full_turns,
+    check=lambda value, pose: up_to_full_turns(value, pose, NAMES, [2]),
     mistakes=(
-        (
-            "Link 2 seems to be at the angle of joint 2 alone; joint 1 turns it too.",
-            lambda form: arms.pose_formulas(arms.angle_formulas(form)[0], f"0{arms.bend_formula(form)}"),
-        ),
+        (arms.ALONE, lambda form: arms.pose_formulas(arms.angle_formulas(form)[0], f"0{arms.bend_formula(form)}")),
         (arms.MOUNTING, lambda form: arms.pose(form, "0")),
-        (
-            "Sine and cosine are exchanged: which of them belongs to x?",
-            lambda form: [arms.pose(form)[i] for i in (1, 0, 2)],
-        ),
+        (arms.EXCHANGED, lambda form: [arms.pose(form)[i] for i in (1, 0, 2)]),
         *misread(lambda v: arms.pose(v["form"])),
-        (arms.PRINTED, lambda: SOURCE),
+        (arms.PRINTED, lambda: arms.SOURCE),
     ),
-    shows=SHOWN,
+    shows=arms.ANGLES,
 )
 def pose(form: int) -> list[str]:
     r"""The pose $(x, y, \theta)$ of frame 2 in frame 0, as three formulas in `l1`, `l2`, `beta`, `q1`, `q2`, with a `*` in
@@ -95,29 +48,14 @@ def pose(form: int) -> list[str]:
     return arms.pose(form)
 
 
-def less_omega(right: Array) -> Outcome:
-    """Angular entries alone are a sign each: wrong ones cost a share, but not the linear rows above them."""
-    wrong = int((~right[2]).sum())
-    return Outcome(share=1 - OMEGA * wrong if right[:2].all() and wrong else None)
-
-
 @part(
     4,
     Formulas((3, 2), NAMES),
-    check=lambda value, J_symbolic: less_omega(same_formulas(value, J_symbolic, NAMES)),
+    check=lambda value, J_symbolic: arms.less_omega(same_formulas(value, J_symbolic, NAMES)),
     mistakes=(
-        (
-            "The derivative of the cosine is the sine with a minus sign; look again at the row of x.",
-            lambda form: arms.slopes(form, minus=1),
-        ),
-        (
-            "A factor of the chain rule seems to be missing: the derivative of each angle with respect to q1 or q2.",
-            lambda form: arms.slopes(form, (1, 1)),
-        ),
-        (
-            "A term of column 1 is missing: joint 1 moves link 2 as well.",
-            lambda form: [[one.replace("l2", "0"), two] for one, two in arms.slopes(form)],
-        ),
+        (arms.MINUS, lambda form: arms.slopes(form, minus=1)),
+        (arms.CHAIN_RULE, lambda form: arms.slopes(form, (1, 1))),
+        (arms.LINK_2, lambda form: [[one.replace("l2", "0"), two] for one, two in arms.slopes(form)]),
         *misread(lambda v: arms.slopes(v["form"])),
     ),
 )
@@ -132,28 +70,21 @@ def J_symbolic(pose: ExpressionArray) -> Any:
     may fall as $q_i$ grows. Both links turn with $q_1$, link 2 alone with $q_2$:
     $$\mathbf J = <J_symbolic>$$
     """
-    if same_formulas(pose, expression_array(SOURCE, NAMES), NAMES).all():
-        raise ExerciseError("nothing follows from the pose of another arm, whose Jacobian is printed in the source")
-    sympy: Any = import_module("sympy")
-    q = sympy.symbols("q1 q2", real=True)
-    J = pose.sympy().jacobian(q)
-    if any(entry.free_symbols.isdisjoint(q) for entry in J[:2, :]):  # nothing follows from a pose that is made easy
-        raise ExerciseError("x and y take formulas whose derivatives depend on q1 or q2")
-    return J
+    return jacobian_of_position(pose, arms.SOURCE, NAMES, rows=2)
 
 
 @part(
     3,
     Numbers((2, 4, 4), [[["1", "1", "1", "m"]] * 3 + [["1"] * 4]]),
     # A product in the wrong order, whose rotation is right by chance, earns nothing for it.
-    check=lambda value, v: Outcome(share=0.5 if np.abs(value - arms.wrong_order(v)).max() <= NEAR else None),
+    check=lambda value, v: Outcome(share=0.5 if np.abs(value - arms.wrong_order(v)).max() <= arms.NEAR else None),
     mistakes=(
-        ("The second transform seems to start at frame 1; both shall start at frame 0.", arms.links),
-        ("The two transforms seem to be multiplied in the wrong order.", arms.wrong_order),
+        (arms.FROM_1, arms.links),
+        (arms.ORDER, arms.wrong_order),
         (arms.MOUNTING, lambda v: arms.transforms({**v, "beta": 0.0})),
         *misread(arms.transforms),
     ),
-    shows=SHOWN,
+    shows=arms.ANGLES,
 )
 def T(v: Variant) -> Array:
     r"""The transforms $\mathbf T_0^1$ and $\mathbf T_0^2$ (poses of frames 1 and 2 in frame 0) at your $\mathbf q$, stacked to an
@@ -168,33 +99,15 @@ def T(v: Variant) -> Array:
     return arms.transforms(v)
 
 
-def same_reading(value: Array, v: Variant, T: Array, J: Array) -> Outcome:
-    """A misread arm is followed from its transforms on, and linear rows under wrong angular ones are paid."""
-    for other in arms.misreadings(v):
-        if np.abs(T - arms.transforms(other)).max() <= NEAR and np.abs(value - arms.jacobian(other)).max() <= NEAR:
-            return Outcome(right=np.ones((6, 2), dtype=bool))
-    right = np.abs(value - J) <= NEAR
-    return less_omega(right[[0, 1, 5]]) if right[2:5].all() else Outcome()
-
-
 @part(
     3,
     Numbers((6, 2), [["m/rad"]] * 3 + [["1"]] * 3),
-    check=same_reading,
+    check=arms.same_reading,
     mistakes=(
         (arms.SENSE, lambda T: columns(np.array([UP, UP]), arms.levers(T), "RR")),
-        (
-            "The lever arm of column 2 seems to start at the base; it starts at joint 2.",
-            lambda arm, T: columns(arm.axes.T, T[[1, 1], :3, 3], "RR"),
-        ),
-        (
-            "The lever arm of column 1 seems to end at joint 2; it ends at the tool point.",
-            lambda arm, T: columns(arm.axes.T, np.array([T[0, :3, 3], arms.levers(T)[1]]), "RR"),
-        ),
-        (
-            "Both angular columns seem to turn counter-clockwise; look again at the positive senses.",
-            lambda J: np.concatenate([J[:5], [[1.0, 1.0]]]),
-        ),
+        (arms.FROM_BASE, lambda arm, T: columns(arm.axes.T, T[[1, 1], :3, 3], "RR")),
+        (arms.TO_JOINT_2, lambda arm, T: columns(arm.axes.T, np.array([T[0, :3, 3], arms.levers(T)[1]]), "RR")),
+        (arms.OMEGA_SENSE, lambda J: np.concatenate([J[:5], [[1.0, 1.0]]])),
         *misread(arms.jacobian),
     ),
     shows={"sense1": lambda form: f"{FORMS[form][0]:+d}", "sense2": lambda form: f"{FORMS[form][1]:+d}"},
@@ -216,18 +129,6 @@ def J(arm: Arm, T: Array) -> Array:
     return columns(arm.axes.T, arms.levers(T), "RR")
 
 
-def drawings(arm: Arm) -> list[Drawing]:
-    """The arm at home with its lengths, and at the student's q."""
-    home = arm.at([0.0, 0.0])
-    foot, knee = home.origins.T
-    lines = {"l1": (foot, knee), "l2": (knee, home.p)}
-    said = "Home pose, q1 = q2 = 0, mounted at the angle beta, with the positive sense of each joint."
-    alt = "Planar arm with two links and two revolute joints, seen from obliquely above. "
-    drawn = [(home, said, lines), (arm, "The same arm at your q.", None)]
-    found = [one.drawing(caption, alt + caption, tool="", lengths=ends) for one, caption, ends in drawn]
-    return [replace(drawing, view=(-75.0, 52.0)) for drawing in found]
-
-
 EXERCISE = exercise(
     "planar_2r",
     title="Planar arm with two joints",
@@ -243,7 +144,7 @@ EXERCISE = exercise(
     structure=("form",),
     scale=lambda l1, l2: l1 + l2,
     draw=arms.draw,
-    statement=statement,
-    drawings=drawings,
+    statement=arms.described,
+    drawings=arms.drawn,
     parts=(pose, J_symbolic, T, J),
 )

@@ -7,21 +7,18 @@ second order, which S0's eq. 4.11 leaves out, is larger than the tolerance.
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from ..answers import LETTERS
 from ..arm import Arm, Array, arm_of
-from ..arms.rrpr import LENGTHS, SENSES, UNITS, described, drawn, posture, robot
-from ..columns import LATE, late, right
+from ..arms.rrpr import LENGTHS, SENSES, UNITS, described, drawn, posture, robot, rotation_at
+from ..columns import LATE, TURNING_SLIDE, late, right
 from ..draws import length, until
-from ..exercise import Choice, Numbers, Outcome, Variant
+from ..exercise import Choice, Numbers, Variant
 from ..part import exercise, part
-from ..properties import turned
+from ..small_turns import EXACT, FIRST_ORDER, MISREAD, TOLERANCE, between, the_way_back
 
 DIVISORS = (2, 4, 10)
 FACTORS = (2, 4, 8, 10, 16, 64, 100, 1000)  # the divisors, their squares and cubes
-TOLERANCE = 5e-4  # rad; below it, first order and the rotation vector would be the same
-APART = 1e-3
 
 
 def draw(rng: np.random.Generator) -> dict[str, Any]:
@@ -40,63 +37,16 @@ def motion(rng: np.random.Generator, form: int) -> dict[str, Any]:
     return {"q": q, "dq": dq, "R1": first.tolist(), "R2": second.tolist()}
 
 
-def rotation_at(form: int, q: ArrayLike) -> Array:
-    """Rotation (3, 3) of the tool frame; lengths do not matter for it."""
-    return robot(form).frames(None, q)[-1, :3, :3]
-
-
 def is_telling(v: Variant) -> bool:
     """Whether all components matter, what first order misses is nearly all second order, and mistakes show."""
     arm, R1, R2, k = arm_of(robot(v["form"]), v), np.array(v["R1"]), np.array(v["R2"]), v["k"]
-    exact, first_order = rotation_vector(R2 @ R1.T), B(arm) @ v["dq"]
+    exact, first_order = between(R1, R2), B(arm) @ v["dq"]
     after = rotation_at(v["form"], arm.q + np.array(v["dq"]) / k)
-    ratio = np.linalg.norm(exact - first_order) / np.linalg.norm(rotation_vector(after @ arm.R.T) - first_order / k)
+    ratio = np.linalg.norm(exact - first_order) / np.linalg.norm(between(arm.R, after) - first_order / k)
     others = [first_order, *(wrong(R1, R2) for _, wrong in MISREAD)]
     matters = np.abs([exact, first_order]).min() >= 0.008 and np.linalg.norm(exact) <= 0.14
-    shows = min(np.abs(other - exact).max() for other in others) >= APART
+    shows = min(np.abs(other - exact).max() for other in others) >= 1e-3
     return bool(matters and shows and abs(ratio / k**2 - 1) <= 0.12)
-
-
-def opposite(R: Array) -> Array:
-    """Differences of opposite entries: twice the axis of a rotation times the sine of its angle."""
-    return np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]])
-
-
-def rotation_vector(R: Array) -> Array:
-    """Axis times angle of a rotation of less than a quarter turn, also where R is rounded."""
-    w = 0.5 * opposite(R)
-    sine = float(np.linalg.norm(w))
-    return w * (np.arcsin(min(sine, 1.0)) / sine)
-
-
-def roll_pitch_yaw(R: Array) -> Array:
-    """Angles about fixed x, y, z, also where R is rounded."""
-    pitch = np.arctan2(-R[2, 0], np.hypot(R[2, 1], R[2, 2]))
-    return np.array([np.arctan2(R[2, 1], R[2, 2]), pitch, np.arctan2(R[1, 0], R[0, 0])])
-
-
-TOOL_AXES = "This is the rotation vector in axes of the tool frame; on which side of R1 does R(dw) stand?"
-BACK = "This is the rotation vector of R2^T R1, the way back and in axes of the tool frame; which product is R(dw)?"
-TWICE = "It is twice too long: each difference of opposite entries counts half."
-DIFFERENCES = "These are differences of roll, pitch and yaw angles; in space no three angles have dw as their changes."
-ANGLES = "These are roll, pitch and yaw of R2 R1^T: that is the rotation vector to first order only."
-ENTRIES = "Each component seems to be read off one entry of R2 R1^T; the opposite entry counts as well."
-FIRST_ORDER = "This is B dq, the rotation to first order; dw between the printed rotations is asked."
-MISREAD = (
-    (TOOL_AXES, lambda R1, R2: rotation_vector(R1.T @ R2)),
-    (BACK, lambda R1, R2: rotation_vector(R2.T @ R1)),
-    (TWICE, lambda R1, R2: opposite(R2 @ R1.T)),
-    (TWICE, lambda R1, R2: 2 * rotation_vector(R2 @ R1.T)),
-    (DIFFERENCES, lambda R1, R2: turned(roll_pitch_yaw(R2) - roll_pitch_yaw(R1))),
-    (ANGLES, lambda R1, R2: roll_pitch_yaw(R2 @ R1.T)),
-    (ENTRIES, lambda R1, R2: (R2 @ R1.T)[[2, 0, 1], [1, 2, 0]]),
-)
-
-
-def the_way_back(dw: Array, value: Array) -> Outcome | None:
-    """Says that an answer turns from frame 2 to frame 1; right and wrong stay with the tolerance."""
-    said = "This is the rotation vector of R1 R2^T, which turns from frame 2 back to frame 1."
-    return Outcome(reading=said) if np.abs(value + dw).max() <= TOLERANCE else None
 
 
 @part(
@@ -123,7 +73,7 @@ def dw(R1: Array, R2: Array) -> Array:
     pass:
     $$d\mathbf w = <dw>$$
     """
-    return rotation_vector(R2 @ R1.T)
+    return between(R1, R2)
 
 
 @part(
@@ -131,7 +81,7 @@ def dw(R1: Array, R2: Array) -> Array:
     Numbers((3, 4), "1", 3),
     shows={"closed": lambda arm: arm.closed.J[3:, :]},
     mistakes=(
-        ("The prismatic joint has its axis as an angular column; does a slide turn the tool?", lambda arm: arm.axes),
+        (TURNING_SLIDE, lambda arm: arm.axes),
         (LATE, lambda arm: late(arm.frames, arm.kinds)[3:]),
         ("This is the block in axes of the tool frame; base axes are asked.", lambda arm, B: arm.R.T @ B),
     ),
@@ -152,15 +102,12 @@ def B(arm: Arm) -> Array:
     return right(arm.frames, arm.kinds)[3:]
 
 
-EXACT = "This is dw between the printed rotations; the first order B dq is asked."
-
-
 @part(
     1,
     Numbers((3,), "rad"),
     credit="all",
     tolerance=TOLERANCE,
-    mistakes=[(EXACT, lambda R1, R2: rotation_vector(R2 @ R1.T))],
+    mistakes=[(EXACT, between)],
 )
 def Bdq(B: Array, dq: Array) -> Array:
     r"""The rotation $\mathbf B\,d\mathbf q$ in base axes, which is $d\mathbf w$ to first order
@@ -192,7 +139,6 @@ def factor(k: int) -> str:
 
 
 def statement(arm: Arm) -> str:
-    """The table, and what the two rotations are."""
     return rf"""{described(arm)}
 
 At $\mathbf q$ the rotation of the tool frame in base axes (those of frame 0) is $\mathbf R_1$, at $\mathbf q + d\mathbf q$ it is
