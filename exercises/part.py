@@ -50,12 +50,12 @@ class Setting:
     Attributes:
         arm: The arm of a first draw: its robot, or one like it.
         rows: The order of the rows of a twist.
-        earlier: Names of the parts before the question.
+        earlier: What the parts before the question ask for, by their names.
     """
 
     arm: Arm
     rows: Rows
-    earlier: tuple[str, ...]
+    earlier: Mapping[str, Answer]
 
     @property
     def robot(self) -> Robot:
@@ -180,7 +180,7 @@ def _questions(
     arm = names.arm(draw(np.random.default_rng(0)))
     questions: list[Question] = []
     for one in parts:
-        earlier = tuple(question.name for question in questions)
+        earlier = {question.name: question.answer for question in questions}
         questions.append(one if isinstance(one, Question) else one(Setting(arm, rows, earlier)))
     return questions
 

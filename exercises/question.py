@@ -47,6 +47,10 @@ class Question:
         """The same part with these points."""
         return replace(self, points=points)
 
+    def also(self, mistakes: Sequence[Wrong]) -> "Question":
+        """The same part with known mistakes behind its own."""
+        return replace(self, mistakes=(*self.mistakes, *mistakes))
+
     @cached_property
     def text(self) -> Docstring:
         """What its docstring says."""

@@ -70,6 +70,9 @@ def parts_for(robot):
         "ask.jacobian(frame='tool', name='J_tool')",
         "ask.jacobian(point='origin', name='J_origin')",
         last,
+        "ask.pose(name='T_tool')",
+        "ask.to_tool_axes(name='J_turned', T='T_tool')",
+        "ask.to_base_origin(name='J_moved', T='T_tool')",
         "ask.twist()",
         "ask.torques()",
         "ask.torques(axes='tool', wrench='tool_wrench', name='tau_tool')",
@@ -103,6 +106,8 @@ def test_with_the_angular_rows_on_top_they_are_valid_too(tmp_path, name):
     J = jacobian(ROBOTS[name].chain({k: v[k] for k in ROBOTS[name].parameters}), v["q"])
     got = references(made, v)
     np.testing.assert_allclose(got["ready_J"], J[[3, 4, 5, 0, 1, 2]], atol=1e-12)
+    np.testing.assert_allclose(got["ready_J_turned"], got["ready_J_tool"], atol=1e-12)
+    np.testing.assert_allclose(got["ready_J_moved"], got["ready_J_origin"], atol=1e-12)
     wrench = np.array(v["wrench"])
     np.testing.assert_allclose(got["ready_tau"], J[:3].T @ wrench[3:] + J[3:].T @ wrench[:3], atol=1e-12)
     whole = next(part for part in made.parts if part.variable == "ready_J")
@@ -139,6 +144,27 @@ def test_a_jacobian_follows_from_own_transforms_and_torques_from_an_own_jacobian
     assert np.abs(own["made_J"] - right["made_J"]).max() > 0.05
     verdicts = mark(made, v, raws(own))
     assert [verdict.status for verdict in verdicts] == ["correct", "partly", "correct", "correct"]
+
+
+def test_jacobians_in_other_frames_follow_from_an_own_pose_and_jacobian():
+    made = made_of("rrt_offset", ask.pose(), ask.jacobian(), ask.to_tool_axes(), ask.to_base_origin())
+    assert [part.needs for part in made.parts] == [(), (), ("made_T", "made_J"), ("made_T", "made_J")]
+    v = made.draw(np.random.default_rng(1))
+    right = references(made, v)
+    own = dict(right)
+    own["made_J"] = right["made_J"].copy()
+    own["made_J"][0, 0] += 0.2
+    for part in made.parts[2:]:
+        own[part.variable] = part.solve(v, {name: own[name] for name in part.needs})
+        assert np.abs(own[part.variable] - right[part.variable]).max() > 0.05
+    verdicts = mark(made, v, raws(own))
+    assert [verdict.status for verdict in verdicts] == ["correct", "partly", "correct", "correct"]
+
+
+def test_a_slide_taken_for_a_turning_joint_is_named_by_its_number_where_it_is_the_only_one():
+    for name, words in (("rrt_offset", "Column 3 looks as if joint 3"), ("rpp_cylindrical", "A prismatic column")):
+        made = made_of(name, ask.jacobian())
+        assert any(mistake.sentence.startswith(words) for mistake in made.parts[0].mistakes)
 
 
 def test_the_point_of_a_link_is_not_moved_by_joints_behind_it():

@@ -9,17 +9,17 @@ from typing import Any
 
 import numpy as np
 
-from ...solutions.jacobian import at_point
+from .. import questions as ask
 from ..answers import LETTERS
 from ..arm import Arm, Array, arm_of
 from ..arms.rrpr import DEGREES, LENGTHS, LEVEL, SENSES, UNITS, described, drawn, in_degrees, level, posture, robot
-from ..columns import LATE, TOOL_AXES, TURNING_SLIDE, all_turning, late, tool_axes, turning_slide
+from ..columns import tool_axes
+from ..conversions import ANGULAR, COUPLING, ONLY_TURNED, ORDER, OTHER_WAY, SHIFT_SIGN, THIS_ARM, WRONG_WAY, shift, turn
 from ..draws import length, rates, until
 from ..exercise import Choice, Numbers, Variant
 from ..part import exercise, part
 
 APART = 0.05  # between the largest components of the twists that are to be told apart
-JACOBIAN = Numbers((6, 4), [["m/rad", "m/rad", "1", "m/rad"]] * 3 + [["1"] * 4] * 3)
 FRAMES = tuple(f"in {axes} axes at the {point}" for point in ("tool point", "base origin") for axes in ("base", "tool"))
 
 
@@ -42,7 +42,7 @@ def is_telling(v: Variant) -> bool:
 def all_twists(v: Variant) -> Array:
     """The twist of the right Jacobians in the order of `FRAMES` (6, 4)."""
     arm = arm_of(robot(v["form"]), v)
-    return twists(arm.T, arm.J, tool(arm.T, arm.J), origin(arm.T, arm.J), v["qdot"])
+    return twists(arm.T, arm.J, turn(arm.T).T @ arm.J, shift(arm.T) @ arm.J, v["qdot"])
 
 
 def twists(T: Array, J: Array, tool: Array, origin: Array, qdot: Array) -> Array:
@@ -51,141 +51,13 @@ def twists(T: Array, J: Array, tool: Array, origin: Array, qdot: Array) -> Array
     return np.column_stack([M @ qdot for M in (J, tool, origin, fourth)])
 
 
-def turn(T: Array) -> Array:
-    """The matrix (6, 6) from tool axes to base axes at the same point; its transpose leads back from a right pose."""
-    return np.kron(np.eye(2), T[:3, :3])
-
-
-def shift(T: Array, sign: int = 1) -> Array:
-    """The matrix (6, 6) from the tool point to the base origin in base axes; with -1, as far the other way."""
-    return at_point(np.eye(6), -sign * T[:3, 3])
-
-
-TURNING = "Column 3 looks as if joint 3 were revolute; look again at its type."
-WRONG_WAY = "The rotation is applied the wrong way round: R leads from tool axes to base axes."
-LINEAR_ONLY = "Only the linear rows are turned; the angular ones have axes too."
-TOOL_MOVED = "The axes are those of the tool, but the point has been moved as well; it stays the tool point."
-MOVED = "The point has been moved as well; it stays the tool point."
-WRONG_SIGN = "The shift has the wrong sign: how does one get from the tool point to the origin?"
-NEITHER = "This is in tool axes at the tool point; base axes at the base origin are asked."
-NOT_BASE = "The shift p is known in base axes; start from the Jacobian in base axes, not from the one in tool axes."
-ORDER = "The shift is multiplied in the wrong order: p is known in base axes, so turn first, then shift."
-THIS_ARM = "This holds for the twists that your joints can give, but not for every twist; build it from R and p alone."
-COUPLING = "The upper right block: the angular velocity comes in tool axes, too, before the shift meets it."
-ANGULAR = "The blocks are in the order of twists with the angular velocity first; here the linear one comes first."
-
-
-@part(
-    2,
-    Numbers((4, 4), [["1", "1", "1", "m"]] * 3 + [["1"] * 4]),
-    shows={"tip": lambda arm: arm.closed.T[:3, 3]},
-    mistakes=(
-        ("This is the base frame seen from the tool, the inverse of the asked pose.", lambda arm: np.linalg.inv(arm.T)),
-        (LEVEL, lambda form, arm: level(form, arm).T),
-        (DEGREES, lambda form, arm: in_degrees(form, arm).T),
-    ),
-)
-def T(arm: Arm) -> Array:
-    r"""The pose $\mathbf T_0^4$ of the tool frame in the base frame at your $\mathbf q$
-
-    - Multiply the four transforms of the table from left to right.
-
-    $\mathbf T_0^4 = \mathbf T_0^1 \mathbf T_1^2 \mathbf T_2^3 \mathbf T_3^4$, one row of the table after the other; its
-    columns are the axes of the tool frame ($\mathbf R$) and the tool point ($\mathbf p$), in base coordinates. The tool
-    point in closed form:
-    $$\mathbf p = <tip>$$
-
-    With your numbers:
-    $$\mathbf T_0^4 = <T>$$
-    """
-    return arm.T
-
-
-@part(
-    3,
-    JACOBIAN,
-    mistakes=(
-        (LATE, lambda arm: late(arm.frames, arm.kinds)),
-        (TOOL_AXES, lambda arm: tool_axes(arm.frames, arm.kinds)),
-        ("This is at the base origin; the tool point is asked.", lambda arm: shift(arm.T) @ arm.J),
-        (TURNING, lambda arm: all_turning(arm.frames, arm.kinds)),
-        (TURNING_SLIDE, lambda arm: turning_slide(arm.frames, arm.kinds)),
-        (LEVEL, lambda form, arm: level(form, arm).J),
-        (DEGREES, lambda form, arm: in_degrees(form, arm).J),
-    ),
-)
-def J(arm: Arm) -> Array:
-    r"""The 6 × 4 Jacobian in base axes at the tool point, linear rows above angular rows
-
-    - The lever arm of a revolute joint ends at the tool point.
-    - Joint 3 slides.
-
-    A revolute column is $\mathbf z_{i-1} \times (\mathbf p - \mathbf o_{i-1})$ above $\mathbf z_{i-1}$, the prismatic one
-    $\mathbf z_2$ above zeros. Axes and lever arms are those of base coordinates:
-    $$\mathbf J = <J>$$
-    """
-    return arm.J
-
-
-@part(
-    2,
-    JACOBIAN,
-    mistakes=(
-        ("This is in base axes; tool axes are asked.", lambda J: J),
-        (WRONG_WAY, lambda T, J: turn(T) @ J),
-        (LINEAR_ONLY, lambda J, tool: np.concatenate([tool[:3], J[3:]])),
-        (TOOL_MOVED, lambda T, J: turn(T).T @ shift(T) @ J),
-        (MOVED, lambda T, J: turn(T).T @ shift(T, -1) @ J),
-        (MOVED, lambda T, tool: shift(T) @ tool),
-        (LEVEL, lambda form, arm: tool_axes(level(form, arm).frames, arm.kinds)),
-    ),
-)
-def tool(T: Array, J: Array) -> Array:
-    r"""The 6 × 4 Jacobian in tool axes at the tool point, linear rows above angular rows
-
-    - Which way does R lead, and which way do you go?
-    - The point does not change.
-
-    The point stays, the axes change: $\mathbf v_{tool} = \mathbf R^T \mathbf v$ and
-    $\boldsymbol\omega_{tool} = \mathbf R^T \boldsymbol\omega$, because $\mathbf R$ leads from tool axes to base axes. Both
-    blocks turn alike:
-    $$\begin{bmatrix}\mathbf R^T & \mathbf 0\\ \mathbf 0 & \mathbf R^T\end{bmatrix} \mathbf J = <tool>$$
-    """
-    return turn(T).T @ J
-
-
-@part(
-    2,
-    JACOBIAN,
-    mistakes=(
-        (WRONG_SIGN, lambda T, J: shift(T, -1) @ J),
-        ("This is at the tool point; the base origin is asked.", lambda J: J),
-        (NEITHER, lambda T, J: turn(T).T @ J),
-        ("This is in tool axes; base axes are asked.", lambda T, origin: turn(T).T @ origin),
-        (NOT_BASE, lambda T, J: shift(T) @ turn(T).T @ J),
-    ),
-)
-def origin(T: Array, J: Array) -> Array:
-    r"""The 6 × 4 Jacobian in base axes at the base origin, linear rows above angular rows
-
-    - How do the velocities of two points of one body differ?
-    - The angular rows are those of every point.
-
-    The axes stay, the point changes. The point of the body at the base origin lies $-\mathbf p$ from the tool point, so its
-    velocity is $\mathbf v + \boldsymbol\omega \times (-\mathbf p) = \mathbf v + \mathbf p \times \boldsymbol\omega$;
-    $\boldsymbol\omega$ is the same for every point:
-    $$\begin{bmatrix}\mathbf 1 & S(\mathbf p)\\ \mathbf 0 & \mathbf 1\end{bmatrix} \mathbf J = <origin>$$
-    """
-    return shift(T) @ J
-
-
 @part(
     3,
     Numbers((6, 6), [["1"] * 3 + ["m"] * 3] * 3 + [["1"] * 6] * 3),
     mistakes=(
-        ("This leads the other way, from the base origin to the tool.", lambda T: turn(T).T @ shift(T, -1)),
-        ("This turns the axes but does not move the point.", turn),
-        ("The shift has the wrong sign.", lambda T: shift(T, -1) @ turn(T)),
+        (OTHER_WAY, lambda T: turn(T).T @ shift(T, -1)),
+        (ONLY_TURNED, turn),
+        (SHIFT_SIGN, lambda T: shift(T, -1) @ turn(T)),
         (ORDER, lambda T: turn(T) @ shift(T)),
         (THIS_ARM, lambda arm, T: shift(T) @ arm.J @ np.linalg.pinv(turn(T).T @ arm.J)),
         (WRONG_WAY, lambda T: shift(T) @ turn(T).T),
@@ -256,5 +128,26 @@ EXERCISE = exercise(
     statement=statement,
     drawings=drawn,
     scale=lambda d1, a2, a4: d1 + a2 + a4,
-    parts=(T, J, tool, origin, X, which),
+    parts=(
+        ask.pose(
+            mistakes=[
+                (LEVEL, lambda form, arm: level(form, arm).T),
+                (DEGREES, lambda form, arm: in_degrees(form, arm).T),
+            ]
+        ),
+        ask.jacobian(
+            points=3,
+            decimals=4,
+            mistakes=[
+                (LEVEL, lambda form, arm: level(form, arm).J),
+                (DEGREES, lambda form, arm: in_degrees(form, arm).J),
+            ],
+        ),
+        ask.to_tool_axes(
+            name="tool", decimals=4, mistakes=[(LEVEL, lambda form, arm: tool_axes(level(form, arm).frames, arm.kinds))]
+        ),
+        ask.to_base_origin(name="origin", decimals=4),
+        X,
+        which,
+    ),
 )

@@ -7,6 +7,7 @@ the sheet: a Jacobian is built from the student's transforms where these are ask
 
 from .block import determinant, ellipsoid, ellipsoid_axis, manipulability, manipulability_formula, singular
 from .frames import dh_table, pose, transforms
+from .other_frames import to_base_origin, to_tool_axes
 from .statics import torques, wrench_in_base_axes
 from .velocities import jacobian, rates, twist
 
@@ -21,6 +22,8 @@ __all__ = [
     "pose",
     "rates",
     "singular",
+    "to_base_origin",
+    "to_tool_axes",
     "torques",
     "transforms",
     "twist",

@@ -1,5 +1,6 @@
 """From the drawing to the table, and from the table to the frames."""
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -9,7 +10,7 @@ from ..answers import Numbers, TableOf
 from ..arm import Arm, Array
 from ..exercise import ExerciseError
 from ..part import Ready, Setting
-from ..question import Question
+from ..question import Question, Wrong
 
 POSE = [["1", "1", "1", "m"]] * 3 + [["1"] * 4]
 AXIS = {"standard": r"\mathbf z_{i-1}", "modified": r"\mathbf z_i"}
@@ -43,7 +44,8 @@ TOOL = r"""The pose $\mathbf T$ of the tool frame in the base frame at your $\ma
 
 - Multiply the transforms from the base to the tool, from left to right.
 
-Each row gives @row@; their product is the pose. In closed form:
+Each row gives @row@; their product is the pose. Its columns are the axes of the tool frame ($\mathbf R$) and the tool point
+($\mathbf p$), in base coordinates. In closed form:
 $$\mathbf T = <closed>$$
 
 With your numbers:
@@ -82,8 +84,8 @@ def _table_of(arm: Arm) -> Table:
     return arm.robot.table
 
 
-def pose(*, name: str = "T", points: float = 2, decimals: int = 4) -> Ready:
-    """The pose (4, 4) of the tool frame in the base frame."""
+def pose(*, name: str = "T", points: float = 2, decimals: int = 4, mistakes: Sequence[Wrong] = ()) -> Ready:
+    """The pose (4, 4) of the tool frame in the base frame; `mistakes` are known wrong ways beside its inverse."""
 
     def ready(setting: Setting) -> Question:
         text = filled(TOOL, row=ROW[setting.robot.convention], name=name)
@@ -92,7 +94,7 @@ def pose(*, name: str = "T", points: float = 2, decimals: int = 4) -> Ready:
             name,
             points,
             Numbers((4, 4), POSE, decimals),
-            mistakes=((INVERSE, lambda arm: np.linalg.inv(arm.T)),),
+            mistakes=((INVERSE, lambda arm: np.linalg.inv(arm.T)), *mistakes),
             shows={"closed": lambda arm: arm.closed.T},
             docstring=text,
         )

@@ -1,6 +1,6 @@
 """Jacobians in any frame and at any point, twists, and joint rates."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, Literal
 
 import numpy as np
@@ -10,7 +10,7 @@ from ...solutions.jacobian import jacobian as jacobian_of
 from ...solutions.velocity import pseudoinverse
 from ..answers import Numbers
 from ..arm import Arm, Array
-from ..columns import SLIPS, TOOL_AXES, late, late_axes, right
+from ..columns import SLIPS, TOOL_AXES, Slip, all_turning, late, late_axes, right
 from ..exercise import ExerciseError, Outcome
 from ..part import Ready, Setting
 from ..properties import meets
@@ -40,6 +40,7 @@ TURNED = (
     r""" In tool axes both blocks are multiplied by $\mathbf R^T$, where $\mathbf R$ holds the tool axes as columns."""
 )
 BASE_AXES = "This is the Jacobian in base axes; the axes of the tool frame are asked."
+AT_ORIGIN = "This is at the base origin; the tool point is asked."
 AT_TOOL = "This is the Jacobian of the tool point; another point is asked."
 BEYOND = "A joint behind that frame cannot move its origin; look again at the last columns."
 TWIST = r"""The twist $\boldsymbol\xi =$ @twist@ of the tool at your $\mathbf q$ for the joint rates $@symbol@$
@@ -80,10 +81,12 @@ def jacobian(
     name: str = "J",
     points: float = 4,
     decimals: int = 3,
+    mistakes: Sequence[Wrong] = (),
 ) -> Ready:
     """The Jacobian (m, n) of a point in base or tool axes; of the origin of frame `point`, where that is a number.
 
-    With base axes at the tool point of a standard table it follows from the student's own transforms `T`.
+    With base axes at the tool point of a standard table it follows from the student's own transforms `T` (n, 4, 4).
+    `mistakes` are known wrong ways beside those that it has for any arm.
     """
 
     def ready(setting: Setting) -> Question:
@@ -92,8 +95,7 @@ def jacobian(
         if not np.abs(_jacobian(arm, frame, point)[asked]).max() > DIFFERENT:
             raise ExerciseError(f"jacobian: no joint of {arm.robot.name} moves {_named(point)}; choose another point")
         plain = frame == "base" and point == "tool"
-        standard = arm.robot.convention == "standard"
-        own_T = plain and standard and "T" in setting.earlier
+        own_T = plain and arm.robot.convention == "standard" and _has_transforms(setting)
 
         def whole(arm: Arm) -> Array:
             return _jacobian(arm, frame, point)[asked]
@@ -116,12 +118,18 @@ def jacobian(
             name,
             points,
             Numbers((len(asked), arm.robot.n), jacobian_units(asked, arm.kinds), decimals),
-            mistakes=_mistakes(arm, asked, frame, point),
+            mistakes=(*_mistakes(arm, asked, frame, point), *mistakes),
             shows={"axes": lambda arm: arm.axes, "places": lambda arm: _places(arm, point)},
             docstring=text,
         )
 
     return ready
+
+
+def _has_transforms(setting: Setting) -> bool:
+    """Whether the frames 1 to n are asked before; a pose of the tool alone does not lead to the columns."""
+    earlier = setting.earlier.get("T")
+    return isinstance(earlier, Numbers) and earlier.shape == (setting.robot.n, 4, 4)
 
 
 def _jacobian(arm: Arm, frame: Literal["base", "tool"], point: Point) -> Array:
@@ -170,7 +178,8 @@ def _mistakes(arm: Arm, asked: list[int], frame: str, point: Point) -> tuple[Wro
             wrong = _wrong_columns(slip.columns, asked)
             standard = arm.robot.convention == "standard" or slip.columns not in (late, late_axes)
             if standard:
-                found.append((slip.sentence, wrong))
+                found.append((_sentence(slip, arm.kinds), wrong))
+        found.append((AT_ORIGIN, lambda arm: _jacobian(arm, frame, "origin")[asked]))
     if frame == "tool":
         found.append((BASE_AXES, lambda arm: _jacobian(arm, "base", point)[asked]))
     elif point != "tool":
@@ -181,6 +190,14 @@ def _mistakes(arm: Arm, asked: list[int], frame: str, point: Point) -> tuple[Wro
         found.append((BEYOND, lambda arm: _beyond(arm, point)[asked]))
     J = _jacobian(arm, frame, point)[asked]  # pyright: ignore[reportArgumentType]
     return tuple((sentence, wrong) for sentence, wrong in found if np.abs(wrong(arm) - J).max() > DIFFERENT)
+
+
+def _sentence(slip: Slip, kinds: str) -> str:
+    """What names the slip for an arm of such joints: its slide by number, where it has one alone."""
+    if slip.columns is all_turning and kinds.count("P") == 1:
+        i = kinds.index("P") + 1
+        return f"Column {i} looks as if joint {i} were revolute; look again at its type."
+    return slip.sentence
 
 
 def _wrong_columns(columns: Callable[[Any, str], Any], asked: list[int]) -> Callable[[Arm], Array]:
