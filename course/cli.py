@@ -280,7 +280,7 @@ def preview(
     from .preview import preview_page
     from .validate import chosen
 
-    (file,) = chosen((exercise,), course / "exercises")
+    (file,) = chosen((exercise,), course)
     made = load(file)
     path = output or Path(f"{made.slug}-preview.html")
     write_atomically(path, preview_page(made, seed))

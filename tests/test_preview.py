@@ -49,7 +49,17 @@ def test_a_preview_shows_sheet_solution_and_every_known_mistake(slug):
     assert "http" not in re.sub(r"http://www.w3.org/\S+", "", html)
 
 
-def test_the_command_writes_the_page_of_that_draw(kinegrade, tmp_path):
+def test_a_new_exercise_is_previewed_where_it_was_written(kinegrade, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    kinegrade("new", "tip_speed")
+    ran = kinegrade("preview", "tip_speed", "--seed", 2)
+    assert (ran.code, ran.out.strip()) == (0, "tip_speed-preview.html")
+    assert "tip_speed_xi" in (tmp_path / "tip_speed-preview.html").read_text(encoding="utf-8")
+    assert kinegrade("preview", "statics", "--course", tmp_path).code == 0
+
+
+def test_the_command_writes_the_page_of_that_draw(kinegrade, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
     page = tmp_path / "page.html"
     ran = kinegrade("preview", "three_axis", "--seed", 3, "--output", page)
     assert (ran.code, ran.out.strip()) == (0, str(page))
