@@ -23,10 +23,10 @@ Point = Literal["tool", "origin"] | int
 JACOBIAN = r"""The @size@ Jacobian $\mathbf J$ of @point@ in @frame@ at your $\mathbf q$, @rows@
 
 - @lever@
-- A prismatic joint turns nothing: its column holds its axis and zeros.
+- @hint@
 
-A revolute joint's column is $\mathbf z \times (\mathbf p - \mathbf o)$ in the linear rows and $\mathbf z$ in the angular ones, a
-prismatic joint's is $\mathbf z$ and zeros: $\mathbf z$ is the joint's axis, $\mathbf o$ a point on it, $\mathbf p$ @point@.@turned@
+A revolute joint's column is $\mathbf z \times (\mathbf p - \mathbf o)$ in the linear rows and $\mathbf z$ in the angular
+ones@slide@: $\mathbf z$ is the joint's axis, $\mathbf o$ a point on it, $\mathbf p$ @point@.@turned@
 The axes as columns:
 $$\left[\mathbf z\right] = <axes>$$
 
@@ -39,6 +39,9 @@ $$\mathbf J = <@name@>$$
 TURNED = (
     r""" In tool axes both blocks are multiplied by $\mathbf R^T$, where $\mathbf R$ holds the tool axes as columns."""
 )
+SLIDE = r", a prismatic joint's is $\mathbf z$ and zeros"
+SLIDE_HINT = "A prismatic joint turns nothing: its column holds its axis and zeros."
+ORDER_HINT = "The order of a cross product decides its sign."
 BASE_AXES = "This is the Jacobian in base axes; the axes of the tool frame are asked."
 AT_ORIGIN = "This is at the base origin; the tool point is asked."
 AT_TOOL = "This is the Jacobian of the tool point; another point is asked."
@@ -110,6 +113,8 @@ def jacobian(
             frame="base axes" if frame == "base" else "the axes of the tool frame",
             rows=described(asked, setting.rows),
             lever=f"The lever arm of a revolute joint ends at {_named(point)}.",
+            hint=SLIDE_HINT if "P" in arm.kinds else ORDER_HINT,
+            slide=SLIDE if "P" in arm.kinds else "",
             turned=TURNED if frame == "tool" else "",
             name=name,
         )
