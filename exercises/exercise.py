@@ -207,7 +207,8 @@ def _check_part(slug: str, part: Part, known: Mapping[str, Part]) -> None:
             raise ExerciseError(f"exercise {slug}: {name} cannot need {need}: nothing can be computed from it")
     if part.asked and not (part.points > 0 and part.prompt):
         raise ExerciseError(
-            f"exercise {slug}: {name} takes a prompt, in an exercise file the docstring of its function, and positive points"
+            f"exercise {slug}: {name} takes a prompt, in an exercise file the docstring of its function, and positive "
+            "points"
         )
     if isinstance(part.answer, Configurations) and part.check is None:
         raise ExerciseError(f"exercise {slug}: {name} asks for configurations, which take a check that judges them")

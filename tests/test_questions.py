@@ -246,3 +246,46 @@ def test_an_arm_is_introduced_by_its_table_with_numbers_for_what_is_not_drawn():
     frames = introduction(Arm(ROBOTS["three_axis"], {"L": 1.0}, np.zeros(3)))
     assert "\n- $\\mathbf T_{0}^{1} = T_z(L)\\,R_z(q_1)$\n" in frames
     assert r"T_y(2)\,R_z(q_3)" in frames
+
+
+URDF = """<robot name="arm"><link name="base"/><link name="a"/><link name="b"/>
+<joint name="turn" type="revolute"><parent link="base"/><child link="a"/><origin xyz="0.1 0.2 0.3" rpy="0.4 0.5 0.6"/>
+<axis xyz="0 1 0"/><limit lower="-1" upper="2" effort="1" velocity="1"/></joint>
+<joint name="slide" type="prismatic"><parent link="a"/><child link="b"/>
+<origin xyz="0.3 0 0" rpy="0 1.5707963267948966 0"/>
+<axis xyz="1 0 0"/><limit lower="0.1" upper="0.4" effort="1" velocity="1"/></joint></robot>"""
+TABLE_FILE = '''"""An arm from a table, and one from a URDF."""
+from kinegrade.exercises import questions as ask
+from kinegrade.exercises.draws import posture, rates
+from kinegrade.exercises.part import exercise
+from kinegrade.solutions.any_robot import robot_from_table, robot_from_urdf
+
+ARM = @ARM@
+EXERCISE = exercise(
+    "own",
+    title="T",
+    source="S",
+    robot=ARM,
+    draw=lambda rng: posture(ARM, rng) | {"qdot": rates(rng, ARM.n)},
+    units={"qdot": @UNITS@},
+    parts=[ask.transforms(), ask.jacobian(), ask.twist()],
+)
+'''
+ROWS = 'robot_from_table([("q1", "d1", "0", "pi/2"), ("q2", "0", "a2", "0"), ("0", "q3 + a2", "0", "pi/2")], '
+
+MODIFIED = 'robot_from_table([("q1", "d1", "0", "0"), ("q2", "a2", "0", "pi/2"), ("0", "q3", "0", "-pi/2")], '
+
+
+@pytest.mark.parametrize(
+    ("arm", "units"),
+    [
+        (f'{ROWS}{{"d1": 0.4, "a2": 0.3}})', '["rad/s", "rad/s", "m/s"]'),
+        (f'{MODIFIED}{{"d1": 0.4, "a2": 0.3}}, convention="modified")', '["rad/s", "rad/s", "m/s"]'),
+        (f"robot_from_urdf({URDF!r})", '["rad/s", "m/s"]'),
+    ],
+    ids=["standard table", "modified table", "URDF"],
+)
+def test_an_arm_of_a_table_or_a_urdf_needs_no_more(tmp_path, arm, units):
+    path = tmp_path / "own.py"
+    path.write_text(TABLE_FILE.replace("@ARM@", arm).replace("@UNITS@", units), encoding="utf-8")
+    assert validate_file(path, 5).failures == ()
