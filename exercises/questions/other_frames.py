@@ -78,6 +78,14 @@ class _Lead:
         wrong = [(sentence, _on_sheet(way, rows)) for sentence, way in self.wrong if self.changed_by(way, setting.arm)]
         return Question(_on_sheet(self.convert, rows), name, points, answer, wrong, docstring=text)
 
+    def ready(self, name: str, points: float, decimals: int, mistakes: Sequence[Wrong], **earlier: str) -> Ready:
+        """The question for the setting it will stand in, from the results `earlier` on the sheet."""
+
+        def question(setting: Setting) -> Question:
+            return self.question(setting, name, points, decimals).called(name, **earlier).also(mistakes)
+
+        return question
+
     def changed_by(self, way: Conversion, arm: Arm) -> bool:
         """Whether a wrong way leads such an arm elsewhere."""
         return bool(np.abs(way(arm.T, arm.J) - self.convert(arm.T, arm.J)).max() > DIFFERENT)
@@ -130,12 +138,7 @@ def to_tool_axes(
 
     `mistakes` are known wrong ways beside those that it has for any arm.
     """
-
-    def ready(setting: Setting) -> Question:
-        question = _TO_TOOL_AXES.question(setting, name, points, decimals)
-        return question.called(name, J=J, T=T).also(mistakes)
-
-    return ready
+    return _TO_TOOL_AXES.ready(name, points, decimals, mistakes, J=J, T=T)
 
 
 def to_base_origin(
@@ -151,9 +154,4 @@ def to_base_origin(
 
     `mistakes` are known wrong ways beside those that it has for any arm.
     """
-
-    def ready(setting: Setting) -> Question:
-        question = _TO_BASE_ORIGIN.question(setting, name, points, decimals)
-        return question.called(name, J=J, T=T).also(mistakes)
-
-    return ready
+    return _TO_BASE_ORIGIN.ready(name, points, decimals, mistakes, J=J, T=T)
