@@ -10,9 +10,9 @@ from pathlib import Path
 
 import numpy as np
 from kinegrade.solutions.chain import Array, Chain
-from kinegrade.solutions.emit import SYMBOLS, used_angles
-from kinegrade.solutions.program import Program, trace
-from kinegrade.solutions.tracer import Signed
+from kinegrade.solutions.program.emit import SYMBOLS, used_angles
+from kinegrade.solutions.program.tracer import Signed
+from kinegrade.solutions.program.walk import Program, trace
 
 Batch = Callable[[Array], Array]  # q (N, n) -> (N, 6, n)
 Single = Callable[[Array], Array]  # q (n,) -> (6, n)
@@ -57,14 +57,18 @@ def einsum(chain: Chain, q: Array) -> Array:
     for i, kind in enumerate(chain.kinds):
         axes.append(T[:, :3, 2])
         origins.append(T[:, :3, 3])
-        T = np.einsum("nij,njk,kl->nil", T, joint_motions(kind, q[:, i]), chain.fixed[i + 1], optimize=True)
+        T = np.einsum(
+            "nij,njk,kl->nil", T, joint_motions(kind, q[:, i]), chain.fixed[i + 1], optimize=True
+        )
     z, levers = np.stack(axes, axis=-1), T[:, :3, 3, None] - np.stack(origins, axis=-1)
     turns = np.array([kind == "R" for kind in chain.kinds])
     moments = np.einsum("ijk,njc,nkc->nic", epsilon, z, levers, optimize=True)
     return np.concatenate([np.where(turns, moments, z), np.where(turns, z, 0.0)], axis=1)
 
 
-def in_c(chain: Chain, flags: tuple[str, ...], *, rows: bool) -> Callable[[Array, Array], None] | None:
+def in_c(
+    chain: Chain, flags: tuple[str, ...], *, rows: bool
+) -> Callable[[Array, Array], None] | None:
     """The traced program in C, or None without a C compiler.
 
     Takes q (n, N) and fills out (6 n, N) if `rows`, else q (N, n) and out (N, 6 n), all contiguous.
@@ -75,12 +79,16 @@ def in_c(chain: Chain, flags: tuple[str, ...], *, rows: bool) -> Callable[[Array
     with tempfile.TemporaryDirectory() as folder:
         source, library = Path(folder) / "jacobian.c", Path(folder) / "jacobian.so"
         source.write_text(c_source(trace(chain, "base"), rows=rows), encoding="utf-8")
-        subprocess.run([compiler, *flags, "-shared", "-fPIC", "-o", library, source, "-lm"], check=True)
+        subprocess.run(
+            [compiler, *flags, "-shared", "-fPIC", "-o", library, source, "-lm"], check=True
+        )
         function = ctypes.CDLL(str(library)).jacobian
 
     def run(q: Array, out: Array) -> None:
         count = q.shape[-1] if rows else len(q)
-        function(ctypes.c_long(count), ctypes.c_void_p(q.ctypes.data), ctypes.c_void_p(out.ctypes.data))
+        function(
+            ctypes.c_long(count), ctypes.c_void_p(q.ctypes.data), ctypes.c_void_p(out.ctypes.data)
+        )
 
     return run
 
@@ -90,14 +98,21 @@ def c_source(program: Program, *, rows: bool) -> str:
     n, outputs = len(program.kinds), len(program.outputs)
     joints = [f"q[{j}*N+b+k]" if rows else f"q[(b+k)*{n}+{j}]" for j in range(n)]
     loop = "  for (long k = 0; k < m; k++)"
-    turns, reads = list[str](), [f"double q{j} = {joints[j]};" for j in range(n) if program.kinds[j] == "P"]
+    turns, reads = (
+        list[str](),
+        [f"double q{j} = {joints[j]};" for j in range(n) if program.kinds[j] == "P"],
+    )
     for i in used_angles(program):
         angle = "".join(f"{'+' if sign > 0 else '-'}{joints[j]}" for sign, j in program.angles[i])
         angle += f" + {program.shifts[i]!r}" * bool(program.shifts[i])
         turns += [f"{loop} C[{i}][k] = cos({angle});", f"{loop} S[{i}][k] = sin({angle});"]
         reads += [f"double c{i} = C[{i}][k], s{i} = S[{i}][k];"]
-    steps = [f"double {s.target} = {s.left} {SYMBOLS[s.operation]} {s.right};" for s in program.steps]
-    values = [f"{'-' * x.negative}{x.name}" if isinstance(x, Signed) else repr(x) for x in program.outputs]
+    steps = [
+        f"double {s.target} = {s.left} {SYMBOLS[s.operation]} {s.right};" for s in program.steps
+    ]
+    values = [
+        f"{'-' * x.negative}{x.name}" if isinstance(x, Signed) else repr(x) for x in program.outputs
+    ]
     places = [f"out[{i}*N+b+k]" if rows else f"out[(b+k)*{outputs}+{i}]" for i in range(outputs)]
     writes = [f"{place} = {value};" for place, value in zip(places, values, strict=True)]
     body = "\n    ".join([*reads, *steps, *writes])
@@ -123,7 +138,9 @@ def pinocchio(chain: Chain) -> Batch:
     for i, kind in enumerate(chain.kinds):
         joint = pin.JointModelRZ() if kind == "R" else pin.JointModelPZ()
         parent = model.addJoint(parent, joint, pin.SE3(chain.fixed[i]), f"joint{i + 1}")
-    tool = model.addFrame(pin.Frame("tool", parent, 0, pin.SE3(chain.fixed[-1]), pin.FrameType.OP_FRAME))
+    tool = model.addFrame(
+        pin.Frame("tool", parent, 0, pin.SE3(chain.fixed[-1]), pin.FrameType.OP_FRAME)
+    )
     data, axes = model.createData(), pin.ReferenceFrame.LOCAL_WORLD_ALIGNED
 
     def run(q: Array) -> Array:

@@ -18,11 +18,19 @@ ONE_CORE = dict.fromkeys(("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_TH
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--venv", type=Path, default=ROOT / "build" / "benchmark-venv", help="where the peers live")
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument(
+        "--venv", type=Path, default=ROOT / "build" / "benchmark-venv", help="where the peers live"
+    )
     parser.add_argument("--rounds", type=int, default=9)
     options = parser.parse_args()
-    command = [prepared(options.venv), str(Path(__file__).with_name("tables.py")), str(options.rounds)]
+    command = [
+        prepared(options.venv),
+        str(Path(__file__).with_name("tables.py")),
+        str(options.rounds),
+    ]
     sys.exit(subprocess.run(command, env=os.environ | ONE_CORE, check=False).returncode)
 
 

@@ -44,7 +44,9 @@ class Contender:
 
     def over(self, other: "Contender") -> float:
         """How many times as long as the other one, by the median over the rounds of what it was in each."""
-        return statistics.median(mine / its for mine, its in zip(self.times, other.times, strict=True))
+        return statistics.median(
+            mine / its for mine, its in zip(self.times, other.times, strict=True)
+        )
 
 
 def main() -> None:
@@ -59,7 +61,10 @@ def main() -> None:
 def machine() -> str:
     info = Path("/proc/cpuinfo")
     lines = info.read_text(encoding="utf-8").splitlines() if info.exists() else []
-    cpu = next((line.partition(": ")[2] for line in lines if line.startswith("model name")), platform.processor())
+    cpu = next(
+        (line.partition(": ")[2] for line in lines if line.startswith("model name")),
+        platform.processor(),
+    )
     names = ", ".join(f"{name} {installed(name)}" for name in ("numpy", *PEERS))
     return f"{cpu}, one of {os.cpu_count()} cores, Python {platform.python_version()}, {names}"
 
@@ -75,25 +80,45 @@ def puma(rounds: int) -> list[str]:
     """Every contender on the Puma 560."""
     chain = ROBOTS["puma560"].chain()
     q = np.random.default_rng(0).uniform(-np.pi, np.pi, (BATCH, chain.n))
-    compared = [*ours(chain, q), textbook(chain, q), einsum(chain, q), *in_c(chain, q), *loops(chain, q)]
+    compared = [
+        *ours(chain, q),
+        textbook(chain, q),
+        einsum(chain, q),
+        *in_c(chain, q),
+        *loops(chain, q),
+    ]
     alternate(compared, rounds)
-    batch, single = (next(c for c in compared if c.name.startswith(f"ours, {x}")) for x in ("batch", "single"))
-    rows = [f"| {c.name} | {c.median:,.0f} | {c.over(batch):,.2f} | {c.over(single):,.2f} |" for c in compared]
-    return ["| Puma 560, base frame | ns each | times our batch | times our single call |", "|---|--:|--:|--:|", *rows]
+    batch, single = (
+        next(c for c in compared if c.name.startswith(f"ours, {x}")) for x in ("batch", "single")
+    )
+    rows = [
+        f"| {c.name} | {c.median:,.0f} | {c.over(batch):,.2f} | {c.over(single):,.2f} |"
+        for c in compared
+    ]
+    return [
+        "| Puma 560, base frame | ns each | times our batch | times our single call |",
+        "|---|--:|--:|--:|",
+        *rows,
+    ]
 
 
 def arms(rounds: int) -> list[str]:
     """Every golden arm and a few random chains, against textbook numpy and C."""
     rng = np.random.default_rng(1)
     chains = golden() | {f"random {kinds}": random_chain(kinds, rng) for kinds in RANDOM}
-    lines = ["| arm, batch | joints | ours, ns each | textbook / ours | ours / C rows |", "|---|--:|--:|--:|--:|"]
+    lines = [
+        "| arm, batch | joints | ours, ns each | textbook / ours | ours / C rows |",
+        "|---|--:|--:|--:|--:|",
+    ]
     for name, chain in chains.items():
         q = rng.uniform(-np.pi, np.pi, (BATCH, chain.n))
         compared = [ours(chain, q)[0], textbook(chain, q), *in_c(chain, q)[1:2]]
         alternate(compared, rounds)
         mine, everyone, *c = compared
         ratio = f"{mine.over(c[0]):.1f}" if c else "no cc"
-        lines.append(f"| {name} | {chain.n} | {mine.median:.0f} | {everyone.over(mine):.1f} | {ratio} |")
+        lines.append(
+            f"| {name} | {chain.n} | {mine.median:.0f} | {everyone.over(mine):.1f} | {ratio} |"
+        )
     return lines
 
 
@@ -133,7 +158,9 @@ def reduction() -> dict[str, float | str]:
 def ours(chain: Chain, q: Array) -> list[Contender]:
     out = np.empty((len(q), 6, chain.n))
     return [
-        Contender(f"ours, batch of {len(q):,}, contiguous result", len(q), lambda: jacobian(chain, q)),
+        Contender(
+            f"ours, batch of {len(q):,}, contiguous result", len(q), lambda: jacobian(chain, q)
+        ),
         Contender("ours, the same with `out=`", len(q), lambda: jacobian(chain, q, out=out)),
         Contender("ours, batch of 1,000", 1000, lambda: jacobian(chain, q[:1000])),
         one_by_one("ours, single call", functools.partial(jacobian, chain), q[:2000]),
@@ -165,7 +192,9 @@ def in_c(chain: Chain, q: Array) -> list[Contender]:
         out = np.empty((6 * chain.n, len(q)) if rows else (len(q), 6 * chain.n))
         run(given, out)
         check(name, chain, q, (out.T if rows else out).reshape(-1, 6, chain.n))
-        made.append(Contender(f"{name}, `cc {' '.join(flags)}`", len(q), functools.partial(run, given, out)))
+        made.append(
+            Contender(f"{name}, `cc {' '.join(flags)}`", len(q), functools.partial(run, given, out))
+        )
     return made
 
 
@@ -175,7 +204,9 @@ def loops(chain: Chain, q: Array) -> list[Contender]:
     try:
         loop = contenders.pinocchio(chain)
         check("Pinocchio", chain, q, loop(q[:100]))
-        made.append(Contender("Pinocchio, Python loop with copy-out", 20_000, lambda: loop(q[:20_000])))
+        made.append(
+            Contender("Pinocchio, Python loop with copy-out", 20_000, lambda: loop(q[:20_000]))
+        )
     except ImportError as error:
         print(f"Pinocchio is left out: {error}", file=sys.stderr)
     for name, function, count in (
@@ -211,9 +242,14 @@ def golden() -> dict[str, Chain]:
     for path in sorted((ROOT / "tests" / "data" / "golden").glob("*.json")):
         arm = json.loads(path.read_text(encoding="utf-8"))
         pre, kinds = np.array(arm["pre_matrices"], dtype=np.float64), "".join(arm["kinds"])
-        turns = [elementary("Rz" if kind == "R" else "Tz", x) for kind, x in zip(kinds, arm["offsets"], strict=True)]
+        turns = [
+            elementary("Rz" if kind == "R" else "Tz", x)
+            for kind, x in zip(kinds, arm["offsets"], strict=True)
+        ]
         behind = [*pre[1:], np.array(arm["tool_matrix"], dtype=np.float64)]
-        chains[path.stem] = Chain(np.stack([pre[0], *(a @ b for a, b in zip(turns, behind, strict=True))]), kinds)
+        chains[path.stem] = Chain(
+            np.stack([pre[0], *(a @ b for a, b in zip(turns, behind, strict=True))]), kinds
+        )
     return chains
 
 

@@ -8,20 +8,20 @@ from typing import Any, get_args
 
 import numpy as np
 
-from ..exercises.catalogue import exercise_files, find
 from ..exercises.exercise import Exercise
-from ..exercises.neighbours import is_ours
-from ..grader.ask import Limits
-from ..grader.mark import mark
-from ..grader.own_work import Remark, remarks
-from ..grader.unreadable import entries_named
-from ..grader.verdict import STATUS_WORDS, Verdict
-from ..grader.wire import Raw
+from ..exercises.files.finding import exercise_files, find
+from ..exercises.files.neighbours import is_ours
+from ..grader.collecting.ask import Limits
+from ..grader.collecting.wire import Raw
+from ..grader.marking.mark import mark
+from ..grader.marking.own_work import Remark, remarks
+from ..grader.marking.verdict import STATUS_WORDS, Verdict
+from ..grader.reading.unreadable import entries_named
 from ..solutions.errors import KinegradeError
 from .config import CourseError, Mode
 from .drawn import drawn
-from .notebook import KEY
-from .submissions import read_submission
+from .sheet.notebook import KEY
+from .sheet.submissions import read_submission
 
 MOST_PLACES = 6  # of wrong entries that are named
 
@@ -35,7 +35,9 @@ class Handout:
     numbers: Mapping[str, dict[str, Any]]
 
 
-def check_file(path: Path, sheet: Path | None = None, exercises: Path | None = None) -> tuple[Handout, list[Remark]]:
+def check_file(
+    path: Path, sheet: Path | None = None, exercises: Path | None = None
+) -> tuple[Handout, list[Remark]]:
     """Remarks on every part of a student's file. `sheet` is the handed-out notebook, where the file is not one.
 
     A course's own exercises are looked for in the folder `exercises`, else in those of `own_folders`.
@@ -45,19 +47,27 @@ def check_file(path: Path, sheet: Path | None = None, exercises: Path | None = N
         ExerciseError: an exercise file of the course cannot be run.
     """
     if exercises is not None and not exercises.is_dir():
-        raise CourseError(f"{exercises} is no folder; --exercises takes the one with the course's exercise files")
+        raise CourseError(
+            f"{exercises} is no folder; --exercises takes the one with the course's exercise files"
+        )
     submission = read_submission(path)
     handout = read_handout(sheet or path)
     folders = [exercises] if exercises else own_folders(path)
     files = exercise_files(*folders)
     known = [find(slug, files) for slug in handout.numbers if slug in files]
     if not known:
-        looked = f"nor in {' or '.join(map(str, folders))}" if folders else "nor is there a folder exercises/"
+        looked = (
+            f"nor in {' or '.join(map(str, folders))}"
+            if folders
+            else "nor is there a folder exercises/"
+        )
         raise CourseError(
             f"{sheet or path}: none of its exercises is installed here: {', '.join(handout.numbers)}; {looked} "
             "(--exercises DIR, if you were given exercise files)"
         )
-    numbers = {exercise.slug: with_samples(exercise, handout.numbers[exercise.slug]) for exercise in known}
+    numbers = {
+        exercise.slug: with_samples(exercise, handout.numbers[exercise.slug]) for exercise in known
+    }
     asks = [ask for exercise in known for ask in submission.asks(exercise, numbers[exercise.slug])]
     raws = submission.raws(asks, Limits())
     unknown = "an exercise of this course that is not installed here; it is not checked"
@@ -66,7 +76,9 @@ def check_file(path: Path, sheet: Path | None = None, exercises: Path | None = N
         try:
             found += _remarks(handout.mode, exercise, numbers[exercise.slug], raws)
         except (KinegradeError, LookupError, TypeError, ValueError, ArithmeticError) as error:
-            raise CourseError(f"{path}: the numbers of {exercise.slug} in this sheet are damaged: {error!r}") from error
+            raise CourseError(
+                f"{path}: the numbers of {exercise.slug} in this sheet are damaged: {error!r}"
+            ) from error
     return handout, found
 
 
@@ -83,7 +95,8 @@ def own_folders(path: Path) -> list[Path]:
 def _is_handed_in(place: Path) -> bool:
     folder = place.resolve()
     return any(
-        outer.name == "submitted" and (outer.parent / "course.toml").exists() for outer in (folder, *folder.parents)
+        outer.name == "submitted" and (outer.parent / "course.toml").exists()
+        for outer in (folder, *folder.parents)
     )
 
 
@@ -117,7 +130,9 @@ def read_handout(path: Path) -> Handout:
         ) from error
 
 
-def _remarks(mode: Mode, exercise: Exercise, v: dict[str, Any], raws: Mapping[str, Raw]) -> Iterator[Remark]:
+def _remarks(
+    mode: Mode, exercise: Exercise, v: dict[str, Any], raws: Mapping[str, Raw]
+) -> Iterator[Remark]:
     if mode == "practice":
         return map(_told, mark(exercise, v, raws))
     return remarks(exercise, v, raws, consistency=mode == "graded")
@@ -140,5 +155,8 @@ def _told(verdict: Verdict) -> Remark:
     texts = [verdict.reading, *findings, _wrong_entries(verdict.right)]
     said = " ".join(text for text in texts if text)
     words = STATUS_WORDS[verdict.status]
-    ok = verdict.status in ("correct", "not_graded")  # what waits for somebody else is not to be looked at again
+    ok = verdict.status in (
+        "correct",
+        "not_graded",
+    )  # what waits for somebody else is not to be looked at again
     return Remark(verdict.part, ok, f"{words}: {said}" if said else words)

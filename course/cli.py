@@ -33,7 +33,9 @@ marks = typer.Typer(help="Marks for the parts that are marked by hand.", no_args
 app.add_typer(marks, name="marks")
 CourseOption = Annotated[Path, typer.Option("--course", "-c", help="The course folder.")]
 STOPPED = 130  # what typer makes of Ctrl-C
-SheetArguments = Annotated[list[str] | None, typer.Argument(help="Names of sheets; all when none is given.")]
+SheetArguments = Annotated[
+    list[str] | None, typer.Argument(help="Names of sheets; all when none is given.")
+]
 
 
 def main() -> None:
@@ -54,17 +56,23 @@ def main() -> None:
         if debugging():
             raise
         said = f"{type(error).__name__}: {error}"
-        sys.stderr.write(f"kinegrade: this is our fault, not yours: {said} (KINEGRADE_DEBUG=1 shows where)\n")
+        sys.stderr.write(
+            f"kinegrade: this is our fault, not yours: {said} (KINEGRADE_DEBUG=1 shows where)\n"
+        )
         sys.exit(1)
     except SystemExit as stop:
         if stop.code == STOPPED:
-            sys.stderr.write("\nkinegrade: stopped; what was done is kept, and the same command goes on from there\n")
+            sys.stderr.write(
+                "\nkinegrade: stopped; what was done is kept, and the same command goes on from there\n"
+            )
         raise
 
 
 @app.command()
 def demo(
-    folder: Annotated[Path, typer.Argument(help="Where the course is built.")] = Path("demo-course"),
+    folder: Annotated[Path, typer.Argument(help="Where the course is built.")] = Path(
+        "demo-course"
+    ),
 ) -> None:
     """Build a course of 12 students, hand in what a class would, and mark it."""
     from .demo import run_demo
@@ -90,7 +98,9 @@ def generate(sheets: SheetArguments = None, course: CourseOption = Path()) -> No
     with _opened(course) as (opened, gradebook):
         chosen = opened.sheets(tuple(sheets or ()))
         if not opened.students:
-            raise KinegradeError(f"{course / 'roster.csv'} has no students yet; add lines with an id and a name")
+            raise KinegradeError(
+                f"{course / 'roster.csv'} has no students yet; add lines with an id and a name"
+            )
         with progress("Writing sheets", len(opened.students) * len(chosen)) as step:
             released = write_sheets(opened, gradebook, chosen, step)
         for sheet in released:
@@ -105,9 +115,14 @@ def grade(
     sheets: SheetArguments = None,
     course: CourseOption = Path(),
     accept_change: Annotated[
-        bool, typer.Option("--accept-change", help="Mark by reference answers that changed since the hand-out.")
+        bool,
+        typer.Option(
+            "--accept-change", help="Mark by reference answers that changed since the hand-out."
+        ),
     ] = False,
-    again: Annotated[bool, typer.Option("--again", help="Mark anew what is marked already.")] = False,
+    again: Annotated[
+        bool, typer.Option("--again", help="Mark anew what is marked already.")
+    ] = False,
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON instead of a table.")] = False,
 ) -> None:
     """Mark what was handed in; write grades.csv, feedback and the report."""
@@ -116,7 +131,11 @@ def grade(
 
     with _opened(course) as (opened, gradebook):
         marked = mark_sheets(
-            opened, gradebook, opened.sheets(tuple(sheets or ())), accept_change=accept_change, again=again
+            opened,
+            gradebook,
+            opened.sheets(tuple(sheets or ())),
+            accept_change=accept_change,
+            again=again,
         )
         if as_json:
             print(results_json([result for _, results in marked for result in results]))
@@ -127,7 +146,9 @@ def grade(
 @app.command()
 def check(
     file: Annotated[Path, typer.Argument(help="Your notebook, .json, .csv or .mat.")],
-    sheet: Annotated[Path | None, typer.Option("--sheet", help="The notebook as it was handed out.")] = None,
+    sheet: Annotated[
+        Path | None, typer.Option("--sheet", help="The notebook as it was handed out.")
+    ] = None,
     exercises: Annotated[
         Path | None,
         typer.Option(
@@ -163,7 +184,13 @@ def list_marks(sheets: SheetArguments = None, course: CourseOption = Path()) -> 
     from .tables import show_by_hand
 
     with _opened(course) as (opened, gradebook):
-        show_by_hand([one for one in by_hand(opened, gradebook, opened.sheets(tuple(sheets or ()))) if one.waits])
+        show_by_hand(
+            [
+                one
+                for one in by_hand(opened, gradebook, opened.sheets(tuple(sheets or ())))
+                if one.waits
+            ]
+        )
 
 
 @marks.command("set")
@@ -172,7 +199,9 @@ def set_mark(
     part: Annotated[str, typer.Argument(help="The variable of the part.")],
     points: Annotated[float, typer.Argument(help="Points, up to those of the part.")],
     comment: Annotated[str, typer.Option("--comment", help="A sentence for the student.")] = "",
-    sheet: Annotated[str | None, typer.Option("--sheet", help="The sheet, where the part is on several.")] = None,
+    sheet: Annotated[
+        str | None, typer.Option("--sheet", help="The sheet, where the part is on several.")
+    ] = None,
     course: CourseOption = Path(),
 ) -> None:
     """Enter one mark."""
@@ -220,7 +249,12 @@ def report(course: CourseOption = Path()) -> None:
     from .marking import write_results
 
     with _opened(course) as (opened, gradebook):
-        print(write_results(opened, [(sheet, recorded_results(opened, gradebook, sheet)) for sheet in opened.sheets()]))
+        print(
+            write_results(
+                opened,
+                [(sheet, recorded_results(opened, gradebook, sheet)) for sheet in opened.sheets()],
+            )
+        )
 
 
 @app.command()
@@ -232,14 +266,18 @@ def validate(
         ),
     ] = None,
     course: CourseOption = Path(),
-    draws: Annotated[int, typer.Option("--draws", min=1, help="How many draws of each are looked at.")] = 20,
-    seeds: Annotated[int | None, typer.Option("--seeds", min=1, hidden=True, help="The same as --draws.")] = None,
+    draws: Annotated[
+        int, typer.Option("--draws", min=1, help="How many draws of each are looked at.")
+    ] = 20,
+    seeds: Annotated[
+        int | None, typer.Option("--seeds", min=1, hidden=True, help="The same as --draws.")
+    ] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON instead of a table.")] = False,
 ) -> None:
     """Prove that exercises can be solved, marked and told apart from nonsense and known mistakes."""
-    from .validate import chosen
-    from .validate import validate as look
-    from .validation_table import show_validations, validations_json
+    from .proof.validate import chosen
+    from .proof.validate import validate as look
+    from .proof.validation_table import show_validations, validations_json
 
     draws = seeds or draws
     paths = chosen(tuple(exercises or ()), course)
@@ -275,10 +313,10 @@ def preview(
     show: Annotated[bool, typer.Option("--open/--no-open", help="Open it in a browser.")] = True,
 ) -> None:
     """Write sheet, worked solution and the feedback of every known mistake as one page."""
-    from ..exercises.catalogue import load
+    from ..exercises.files.finding import load
     from .files import write_atomically
-    from .preview import preview_page
-    from .validate import chosen
+    from .proof.preview import preview_page
+    from .proof.validate import chosen
 
     (file,) = chosen((exercise,), course)
     made = load(file)
@@ -292,10 +330,12 @@ def preview(
 @app.command()
 def plot(
     robot: Annotated[str, typer.Argument(help="A robot of the catalogue, such as puma560.")],
-    output: Annotated[Path | None, typer.Option("--output", "-o", help="A .png, .svg or .pdf file.")] = None,
+    output: Annotated[
+        Path | None, typer.Option("--output", "-o", help="A .png, .svg or .pdf file.")
+    ] = None,
 ) -> None:
     """Draw workspace and singularities of a robot."""
-    from ..grader.maps import describe, save
+    from ..grader.figures.maps import describe, save
     from ..solutions.robots import robot as find_robot
 
     arm = find_robot(robot)

@@ -8,7 +8,7 @@ from contextlib import contextmanager
 
 from .console import say
 
-MARKING = "kinegrade.grader.mark"
+MARKING = "kinegrade.grader.marking.mark"
 
 
 def debugging() -> bool:
@@ -57,7 +57,10 @@ class _OneOfEach(logging.Handler):
 
     def emit(self, record: logging.LogRecord) -> None:
         """Says or counts one complaint. Equal are those of one kind and place, whoever's sheet it was."""
-        from ..exercises.loading import place, stopped  # which brings numpy, for those who complain
+        from ..exercises.files.loading import (
+            place,
+            stopped,
+        )  # which brings numpy, for those who complain
 
         error = record.exc_info[1] if record.exc_info else None
         kind = (record.name, record.msg, type(error).__name__, place(error) if error else "")

@@ -16,7 +16,9 @@ from ..solutions.errors import KinegradeError
 
 Mode = Literal["practice", "graded", "exam"]
 SAFE_NAME = re.compile(r"[A-Za-z0-9]([A-Za-z0-9._-]{0,62}[A-Za-z0-9_-])?")
-DEVICE = re.compile(r"(con|prn|aux|nul|com[0-9]|lpt[0-9])(\..*)?", re.IGNORECASE)  # no file name on Windows
+DEVICE = re.compile(
+    r"(con|prn|aux|nul|com[0-9]|lpt[0-9])(\..*)?", re.IGNORECASE
+)  # no file name on Windows
 SCRIPT_NAME = re.compile(r"[A-Za-z]\w{0,62}", re.ASCII)
 MATLAB_WORD = re.compile(
     "break|case|catch|classdef|continue|else|elseif|end|for|function|global|if|otherwise|parfor|persistent|return|spmd|"
@@ -60,7 +62,9 @@ class Settings(_Strict):
     """All of course.toml."""
 
     title: str
-    secret: Annotated[str, Field(min_length=16)] | None = None  # of older courses; it has a file of its own
+    secret: Annotated[str, Field(min_length=16)] | None = (
+        None  # of older courses; it has a file of its own
+    )
     sheet: Annotated[tuple[Sheet, ...], Field(min_length=1)]
     limits: LimitsTable = LimitsTable()
 
@@ -114,15 +118,23 @@ def read_settings(path: Path) -> Settings:
     except tomllib.TOMLDecodeError as error:
         raise CourseError(f"{path}: not TOML: {error}") from error
     except ValidationError as error:
-        first = min(error.errors(), key=lambda found: found["type"] != "extra_forbidden")  # a typo explains the rest
+        first = min(
+            error.errors(), key=lambda found: found["type"] != "extra_forbidden"
+        )  # a typo explains the rest
         raise CourseError(f"{path}: {_sentence(first)}") from error
     names = [sheet.name.casefold() for sheet in settings.sheet]
     for sheet in settings.sheet:
         if names.count(sheet.name.casefold()) > 1:
-            raise CourseError(f"{path}: two sheets are called {sheet.name!r}; a sheet takes a name of its own")
+            raise CourseError(
+                f"{path}: two sheets are called {sheet.name!r}; a sheet takes a name of its own"
+            )
         if DEVICE.fullmatch(sheet.name):
-            raise CourseError(f"{path}: a sheet cannot be called {sheet.name!r}: no file can, on Windows")
-        if sheet.matlab and (not SCRIPT_NAME.fullmatch(sheet.name) or MATLAB_WORD.fullmatch(sheet.name)):
+            raise CourseError(
+                f"{path}: a sheet cannot be called {sheet.name!r}: no file can, on Windows"
+            )
+        if sheet.matlab and (
+            not SCRIPT_NAME.fullmatch(sheet.name) or MATLAB_WORD.fullmatch(sheet.name)
+        ):
             raise CourseError(
                 f"{path}: a sheet with matlab = true takes a name that MATLAB can run: letters, digits and '_', at "
                 f"most 63, starting with a letter, and no word of its language; got {sheet.name!r}"
@@ -145,7 +157,9 @@ def _shown(where: tuple[Any, ...], value: Any) -> str:
 
 
 def _valid_keys(where: tuple[Any, ...]) -> list[str]:
-    table: Any = {"sheet": Sheet, "limits": LimitsTable}.get(str(where[0]), Settings) if where else Settings
+    table: Any = (
+        {"sheet": Sheet, "limits": LimitsTable}.get(str(where[0]), Settings) if where else Settings
+    )
     return list(table.model_fields)
 
 
@@ -190,7 +204,9 @@ def _students(path: Path, rows: "csv.DictReader[str]") -> Iterator[Student]:
                 f"(it names a folder, so CON and the like are out), got {student!r}"
             )
         if student.casefold() in seen:
-            raise CourseError(f"{path}, line {line}: student {student!r} is already in line {seen[student.casefold()]}")
+            raise CourseError(
+                f"{path}, line {line}: student {student!r} is already in line {seen[student.casefold()]}"
+            )
         seen[student.casefold()] = line
         yield Student(student, cells["name"] or student)
 

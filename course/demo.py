@@ -12,7 +12,6 @@ import numpy as np
 from ..exercises.exercise import Exercise, Numbers, Part, references, solve
 from ..solutions.errors import KinegradeError
 from ..solutions.table import Table, read_table
-from .blanks import answer_code
 from .config import Course, CourseError, Sheet, read_course
 from .console import progress
 from .files import write_atomically
@@ -24,10 +23,22 @@ from .sheets import exercises_of, generate
 
 SECRET = "a demonstration keeps no secrets: its numbers are the same everywhere"  # noqa: S105
 SHEETS = (
-    ("first_steps", "Positions, transforms, turning bodies", "planar_2r dh_transforms cross_products small_rotations"),
+    (
+        "first_steps",
+        "Positions, transforms, turning bodies",
+        "planar_2r dh_transforms cross_products small_rotations",
+    ),
     ("jacobian", "The manipulator Jacobian", "three_axis rrt puma_velocities"),
-    ("columns", "Columns in every frame", "articulated_derivatives last_frame_columns prismatic_columns frames"),
-    ("velocities", "Inverse velocities", "inverse_velocities pseudoinverse find_the_mistake implement_it"),
+    (
+        "columns",
+        "Columns in every frame",
+        "articulated_derivatives last_frame_columns prismatic_columns frames",
+    ),
+    (
+        "velocities",
+        "Inverse velocities",
+        "inverse_velocities pseudoinverse find_the_mistake implement_it",
+    ),
     ("wishes", "Forces and wished poses", "statics desired_pose"),
 )
 COMMENT = "The key says it shorter; both parts of the argument are there."
@@ -71,7 +82,9 @@ def _degrees(exercise: Exercise, v: dict[str, Any], answers: Answers) -> Answers
     for name, units in exercise.units.items():
         if name in v and (np.array(units) == "rad").any():
             numbers = np.asarray(v[name], dtype=float)
-            converted[name] = np.where(np.array(units) == "rad", np.radians(numbers), numbers).tolist()
+            converted[name] = np.where(
+                np.array(units) == "rad", np.radians(numbers), numbers
+            ).tolist()
     try:
         return references(exercise, converted)
     except (KinegradeError, ArithmeticError, ValueError, LookupError, np.linalg.LinAlgError):
@@ -100,10 +113,14 @@ def _other_alpha(exercise: Exercise, v: dict[str, Any], answers: Answers) -> Ans
     table: Table = answers["rrt_dh"]
     cells = [[str(cell) for cell in row] for row in table.rows]
     cells[0][3] = cells[0][3][1:] if cells[0][3].startswith("-") else f"-{cells[0][3]}"
-    given: Answers = {"rrt_dh": read_table(cells, sorted({n for row in table.rows for c in row for n in c.names}))}
+    given: Answers = {
+        "rrt_dh": read_table(cells, sorted({n for row in table.rows for c in row for n in c.names}))
+    }
     for part in exercise.parts[1:]:
         follows = set(part.needs) & {"rrt_dh", "rrt_T", "rrt_J"}
-        given[part.variable] = solve(exercise.slug, part, v, given) if follows else answers[part.variable]
+        given[part.variable] = (
+            solve(exercise.slug, part, v, given) if follows else answers[part.variable]
+        )
     return given
 
 
@@ -138,7 +155,10 @@ HABITS = (
     Habit("one sign wrong", _one_sign),
     Habit("rows swapped", _each(_swapped)),
     Habit("degrees for radians", _degrees),
-    Habit("transposed", _each(lambda answer: np.swapaxes(answer, -1, -2) if answer.ndim > 1 else answer)),
+    Habit(
+        "transposed",
+        _each(lambda answer: np.swapaxes(answer, -1, -2) if answer.ndim > 1 else answer),
+    ),
     Habit("wrong shape", _shapes),
     Habit("not a number", _not_a_number),
     Habit("empty", lambda _, __, ___: {}),
@@ -176,10 +196,14 @@ def _prepare(folder: Path) -> None:
     settings = folder / "course.toml"
     if settings.exists():
         if SECRET not in _text(settings) + _text(folder / FILE):
-            raise CourseError(f"{folder} holds a course that is not the demonstration; name another folder")
+            raise CourseError(
+                f"{folder} holds a course that is not the demonstration; name another folder"
+            )
         return
     if _text(folder / FILE).strip() not in ("", SECRET):
-        raise CourseError(f"{folder / FILE} holds a secret that is not the demonstration's; name another folder")
+        raise CourseError(
+            f"{folder / FILE} holds a secret that is not the demonstration's; name another folder"
+        )
     roster = [f"student{i:02},{habit.title}" for i, habit in enumerate(HABITS, 1)]
     write_atomically(folder / "roster.csv", "\n".join(["student,name", *roster]) + "\n")
     blocks = [
@@ -187,7 +211,9 @@ def _prepare(folder: Path) -> None:
         for name, title, slugs in SHEETS
     ]
     write_atomically(folder / FILE, SECRET + "\n", mode=0o600)
-    text = "\n".join(['title = "Kinegrade demonstration"\n', *blocks, "[limits]\ncell_seconds = 2\n"])
+    text = "\n".join(
+        ['title = "Kinegrade demonstration"\n', *blocks, "[limits]\ncell_seconds = 2\n"]
+    )
     write_atomically(settings, text)  # last: with it, the folder is the demonstration
 
 
@@ -197,17 +223,25 @@ def _text(path: Path) -> str:
 
 def hand_in(course: Course, gradebook: Gradebook, sheet: Sheet) -> None:
     """Every student's notebook with the answer cells filled in as the student's habit has it."""
-    numbers = {(record.student, record.exercise): record.numbers for record in gradebook.records(sheet.name)}
+    numbers = {
+        (record.student, record.exercise): record.numbers
+        for record in gradebook.records(sheet.name)
+    }
     for student, habit in zip(course.students, HABITS, strict=True):
         source = course.students[0] if habit.title.startswith("somebody") else student
         answers: dict[str, str] = {}
         for exercise in exercises_of(course, sheet):
             v = numbers[source.id, exercise.slug]
             spoiled = habit.spoil(exercise, v, references(exercise, v))
-            answers |= {part.variable: _as_code(part, spoiled) for part in exercise.asked if part.variable in spoiled}
+            answers |= {
+                part.variable: _as_code(part, spoiled)
+                for part in exercise.asked
+                if part.variable in spoiled
+            }
         released = course.folder / "released" / student.id / f"{sheet.name}.ipynb"
         write_atomically(
-            course.folder / "submitted" / student.id / released.name, fill_in(released.read_bytes(), answers)
+            course.folder / "submitted" / student.id / released.name,
+            fill_in(released.read_bytes(), answers),
         )
 
 
@@ -215,7 +249,7 @@ def _as_code(part: Part, spoiled: Answers) -> str:
     answer = spoiled[part.variable]
     if isinstance(answer, Code):
         return answer.text
-    code = answer_code(part, answer)
+    code = part.answer.code(part.variable, answer)
     return code.replace("nan", "np.nan") if isinstance(part.answer, Numbers) else code
 
 
@@ -224,7 +258,15 @@ def mark_by_hand(course: Course, gradebook: Gradebook) -> None:
     waiting = [one for one in by_hand(course, gradebook, course.settings.sheet) if one.waits]
     for one in waiting:
         if one.student != course.students[-1].id:
-            enter(waiting, gradebook, one.student, one.part.variable, one.part.points, COMMENT, one.sheet)
+            enter(
+                waiting,
+                gradebook,
+                one.student,
+                one.part.variable,
+                one.part.points,
+                COMMENT,
+                one.sheet,
+            )
 
 
 def fill_in(notebook: bytes, answers: Mapping[str, str]) -> bytes:
@@ -232,6 +274,8 @@ def fill_in(notebook: bytes, answers: Mapping[str, str]) -> bytes:
     content: Any = json.loads(notebook)
     for cell in content["cells"]:
         for name, code in answers.items():
-            if cell["cell_type"] == "code" and "".join(cell["source"]).startswith((f"{name} = ...", f"def {name}(")):
+            if cell["cell_type"] == "code" and "".join(cell["source"]).startswith(
+                (f"{name} = ...", f"def {name}(")
+            ):
                 cell["source"] = code
     return (json.dumps(content, indent=1, ensure_ascii=False) + "\n").encode("utf-8")

@@ -8,7 +8,7 @@ from typing import Any, cast
 import numpy as np
 
 from ..exercises.exercise import Exercise, ExerciseError
-from ..exercises.loading import stopped
+from ..exercises.files.loading import stopped
 from ..solutions.errors import KinegradeError
 
 PLAIN = (str, int, float, bool, type(None))
@@ -33,7 +33,9 @@ def prove_drawn(exercise: Exercise, seed: int, numbers: dict[str, Any]) -> None:
     again = _through_json(exercise, given)
     if again != given:
         hint = next(_changed("", given), "write numbers, text, lists and dicts with text as keys")
-        raise ExerciseError(f"exercise {exercise.slug}: the drawn numbers change on their way through JSON: {hint}")
+        raise ExerciseError(
+            f"exercise {exercise.slug}: the drawn numbers change on their way through JSON: {hint}"
+        )
     if again != numbers:
         raise ExerciseError(
             f"exercise {exercise.slug}: draw gives other numbers from an equal generator; take every random number "
@@ -47,7 +49,9 @@ def _draw(exercise: Exercise, rng: np.random.Generator) -> dict[str, Any]:
     except KinegradeError as error:
         raise ExerciseError(f"exercise {exercise.slug}: draw: {error}") from error
     except Exception as error:
-        raise ExerciseError(f"exercise {exercise.slug}: draw stopped with {stopped(error)}") from error
+        raise ExerciseError(
+            f"exercise {exercise.slug}: draw stopped with {stopped(error)}"
+        ) from error
     if not isinstance(given, dict):
         raise ExerciseError(
             f'exercise {exercise.slug}: draw takes a dict of names and numbers, such as {{"a": 0.5}}, '
@@ -61,7 +65,9 @@ def _through_json(exercise: Exercise, given: dict[str, Any]) -> dict[str, Any]:
         return json.loads(json.dumps(given))
     except (TypeError, ValueError, RecursionError) as error:
         why = next(_unplain("", given), str(error))
-        raise ExerciseError(f"exercise {exercise.slug}: draw gives what JSON cannot hold: {why}") from error
+        raise ExerciseError(
+            f"exercise {exercise.slug}: draw gives what JSON cannot hold: {why}"
+        ) from error
 
 
 def _unplain(place: str, value: Any) -> Iterator[str]:

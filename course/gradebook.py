@@ -23,13 +23,18 @@ from sqlalchemy import (
 )
 from sqlalchemy.exc import DatabaseError
 
-from ..grader.verdict import Verdict
+from ..grader.marking.verdict import Verdict
 from .config import CourseError
 from .variant import Record
 
 FORMAT = "1"
 _metadata = MetaData()
-_meta = Table("meta", _metadata, Column("key", String, primary_key=True), Column("value", String, nullable=False))
+_meta = Table(
+    "meta",
+    _metadata,
+    Column("key", String, primary_key=True),
+    Column("value", String, nullable=False),
+)
 _records = Table(
     "record",
     _metadata,
@@ -115,7 +120,9 @@ class Gradebook:
             if found is None:
                 connection.execute(_meta.insert().values(key="format", value=FORMAT))
             elif found != FORMAT:
-                raise CourseError(f"{self._path}: the gradebook has format {found}; this version reads {FORMAT}")
+                raise CourseError(
+                    f"{self._path}: the gradebook has format {found}; this version reads {FORMAT}"
+                )
 
     def close(self) -> None:
         """Lets go of the file."""
@@ -138,12 +145,18 @@ class Gradebook:
             with self._engine.begin() as connection:
                 yield connection
         except DatabaseError as error:
-            raise CourseError(f"{self._path}: not a gradebook that can be used: {error.orig}") from error
+            raise CourseError(
+                f"{self._path}: not a gradebook that can be used: {error.orig}"
+            ) from error
 
     def records(self, sheet: str) -> list[Record]:
         """Everything drawn for a sheet."""
         with self.transaction() as connection:
-            rows = connection.execute(select(_records).where(_records.c.sheet == sheet)).mappings().all()
+            rows = (
+                connection.execute(select(_records).where(_records.c.sheet == sheet))
+                .mappings()
+                .all()
+            )
         return [_record(dict(row)) for row in rows]
 
     def save_records(self, records: Sequence[Record]) -> None:
@@ -156,7 +169,9 @@ class Gradebook:
         """Replaces a record's fingerprint after the instructor accepted that the reference changed."""
         key = {"student": record.student, "sheet": record.sheet, "exercise": record.exercise}
         with self.transaction() as connection:
-            connection.execute(_records.update().where(*_same(_records, key)).values(answers=json.dumps(answers)))
+            connection.execute(
+                _records.update().where(*_same(_records, key)).values(answers=json.dumps(answers))
+            )
 
     def verdicts(self, key: GradeKey) -> list[Verdict] | None:
         """What this submission got by these rules, or None when it was never marked by them."""
@@ -180,7 +195,9 @@ class Gradebook:
     def marks(self, sheet: str) -> dict[tuple[str, str], Mark]:
         """Marks entered by hand, by student and part."""
         with self.transaction() as connection:
-            rows = connection.execute(select(_marks).where(_marks.c.sheet == sheet)).mappings().all()
+            rows = (
+                connection.execute(select(_marks).where(_marks.c.sheet == sheet)).mappings().all()
+            )
         return {(row["student"], row["part"]): Mark(**dict(row)) for row in rows}
 
     def save_marks(self, marks: Sequence[Mark]) -> None:
@@ -193,15 +210,22 @@ class Gradebook:
 
     def current(self, sheet: str) -> dict[str, list[Verdict]]:
         """Student to verdicts: what counts now."""
-        same = [_current.c[name] == _grades.c[name] for name in ("student", "sheet", "submission", "rules")]
-        query = select(_grades.c.student, _grades.c.verdicts).where(*same, _current.c.sheet == sheet)
+        same = [
+            _current.c[name] == _grades.c[name]
+            for name in ("student", "sheet", "submission", "rules")
+        ]
+        query = select(_grades.c.student, _grades.c.verdicts).where(
+            *same, _current.c.sheet == sheet
+        )
         with self.transaction() as connection:
             return {student: _verdicts(text) for student, text in connection.execute(query)}
 
 
 def _point_to(connection: Connection, key: GradeKey) -> None:
     if connection.scalar(select(_current.c.student).where(*_same(_current, vars(key)))) is None:
-        connection.execute(_current.delete().where(*_same(_current, {"student": key.student, "sheet": key.sheet})))
+        connection.execute(
+            _current.delete().where(*_same(_current, {"student": key.student, "sheet": key.sheet}))
+        )
         connection.execute(_current.insert().values(**vars(key)))
 
 
@@ -210,11 +234,17 @@ def _same(table: Table, key: Mapping[str, str]) -> list[ColumnElement[bool]]:
 
 
 def _row(record: Record) -> dict[str, Any]:
-    return {**vars(record), "numbers": json.dumps(record.numbers), "answers": json.dumps(record.answers)}
+    return {
+        **vars(record),
+        "numbers": json.dumps(record.numbers),
+        "answers": json.dumps(record.answers),
+    }
 
 
 def _record(row: dict[str, Any]) -> Record:
-    return Record(**{**row, "numbers": json.loads(row["numbers"]), "answers": json.loads(row["answers"])})
+    return Record(
+        **{**row, "numbers": json.loads(row["numbers"]), "answers": json.loads(row["answers"])}
+    )
 
 
 def _verdicts(text: str) -> list[Verdict]:

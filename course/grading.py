@@ -9,17 +9,17 @@ from dataclasses import dataclass, replace
 from importlib.metadata import version
 from typing import Any
 
-from ..exercises.catalogue import content_hash, exercise_files
 from ..exercises.exercise import Exercise, Manual
-from ..grader.ask import Ask, Limits
-from ..grader.mark import mark
-from ..grader.verdict import Verdict, not_graded
-from ..grader.wire import Raw
+from ..exercises.files.finding import content_hash, exercise_files
+from ..grader.collecting.ask import Ask, Limits
+from ..grader.collecting.wire import Raw
+from ..grader.marking.mark import mark
+from ..grader.marking.verdict import Verdict, not_graded
 from .config import Course, CourseError, Sheet, Student
 from .gradebook import Gradebook, GradeKey
 from .marks import with_marks
+from .sheet.submissions import Submission, find_submission, misnamed
 from .sheets import exercises_of
-from .submissions import Submission, find_submission, misnamed
 from .variant import Record, canonical, digest, fingerprint, moved_parts
 
 log = logging.getLogger(__name__)
@@ -66,7 +66,13 @@ class SheetMarker:
     """Marks the submissions of one sheet of a course."""
 
     def __init__(
-        self, course: Course, gradebook: Gradebook, sheet: Sheet, *, accept_change: bool = False, again: bool = False
+        self,
+        course: Course,
+        gradebook: Gradebook,
+        sheet: Sheet,
+        *,
+        accept_change: bool = False,
+        again: bool = False,
     ) -> None:
         """Reads the exercises and the records.
 
@@ -77,11 +83,15 @@ class SheetMarker:
         """
         self.course, self.gradebook, self.sheet, self.again = course, gradebook, sheet, again
         self.exercises = exercises_of(course, sheet)
-        self._parts = {part.variable: part for exercise in self.exercises for part in exercise.asked}
+        self._parts = {
+            part.variable: part for exercise in self.exercises for part in exercise.asked
+        }
         self._marks = gradebook.marks(sheet.name)
         self.limits = Limits(**course.settings.limits.model_dump())
         files = exercise_files(course.folder / "exercises")
-        self._hashes = [content_hash(files[slug]) for slug in sheet.exercises]  # with the modules beside them
+        self._hashes = [
+            content_hash(files[slug]) for slug in sheet.exercises
+        ]  # with the modules beside them
         self._records: dict[str, dict[str, Record]] = {}
         self._moved: dict[str, frozenset[str]] = {}
         self._read_records(accept_change=accept_change)
@@ -101,7 +111,9 @@ class SheetMarker:
             if moved and accept_change:
                 record, moved = self._accepted(record, exercise), []  # noqa: PLW2901 - the record as it now stands
             self._records.setdefault(record.student, {})[record.exercise] = record
-            self._moved[record.student] = self._moved.get(record.student, frozenset()) | frozenset(moved)
+            self._moved[record.student] = self._moved.get(record.student, frozenset()) | frozenset(
+                moved
+            )
 
     def _accepted(self, record: Record, exercise: Exercise) -> Record:
         """The record with the answers of today, here and in the gradebook."""
@@ -139,24 +151,40 @@ class SheetMarker:
         except CourseError as error:
             return Result(student, self.sheet.name, self._waiting(str(error)), reason=str(error))
         if submission is None:
-            other = misnamed(self.course.folder, student.id, [sheet.name for sheet in self.course.settings.sheet])
-            hint = f"; {other} is there, but the file takes the name {self.sheet.name}.ipynb" if other else ""
+            other = misnamed(
+                self.course.folder, student.id, [sheet.name for sheet in self.course.settings.sheet]
+            )
+            hint = (
+                f"; {other} is there, but the file takes the name {self.sheet.name}.ipynb"
+                if other
+                else ""
+            )
             return Result(student, self.sheet.name, reason=f"no submission{hint}")
         records = self._records.get(student.id, {})
         if len(records) < len(self.exercises):
             reason = "no sheet was generated for this student; `kinegrade generate` adds it"
             return Result(student, self.sheet.name, self._waiting(reason), reason=reason)
         moved = self._moved[student.id]
-        key = GradeKey(student.id, self.sheet.name, digest(submission.data), self._rules(records, moved, submission))
+        key = GradeKey(
+            student.id,
+            self.sheet.name,
+            digest(submission.data),
+            self._rules(records, moved, submission),
+        )
         verdicts = self.gradebook.verdicts(key)
         if not self.again and verdicts is not None and not self._unfinished(verdicts):
             self.gradebook.make_current(key)
             return self._result(student, verdicts)
         return _Work(student, submission, records, moved, key)
 
-    def _rules(self, records: dict[str, Record], moved: frozenset[str], submission: Submission) -> str:
+    def _rules(
+        self, records: dict[str, Record], moved: frozenset[str], submission: Submission
+    ) -> str:
         """A hash of all that a grade follows from besides the submission's bytes."""
-        drawn = [[record.attempt, record.numbers, record.answers] for _, record in sorted(records.items())]
+        drawn = [
+            [record.attempt, record.numbers, record.answers]
+            for _, record in sorted(records.items())
+        ]
         kind = submission.path.suffix
         parts = (
             version("kinegrade"),
@@ -169,18 +197,27 @@ class SheetMarker:
         return digest(canonical(parts).encode())
 
     def _waiting(self, reason: str) -> tuple[Verdict, ...]:
-        return tuple(not_graded(part.variable, part.points, reason) for part in self._parts.values())
+        return tuple(
+            not_graded(part.variable, part.points, reason) for part in self._parts.values()
+        )
 
-    def _collected(self, todo: Sequence[_Work]) -> Generator[tuple[_Work, dict[str, Raw] | Exception]]:
+    def _collected(
+        self, todo: Sequence[_Work]
+    ) -> Generator[tuple[_Work, dict[str, Raw] | Exception]]:
         """Raw values as they come in; notebooks run side by side, each in a process of its own."""
         with ThreadPoolExecutor(max_workers=os.cpu_count() or 1) as pool:
-            futures = {pool.submit(work.submission.raws, self._asks(work), self.limits): work for work in todo}
+            futures = {
+                pool.submit(work.submission.raws, self._asks(work), self.limits): work
+                for work in todo
+            }
             try:
                 for future in as_completed(futures):
                     error = future.exception()
                     yield futures[future], future.result() if error is None else _plain(error)
             finally:
-                pool.shutdown(cancel_futures=True)  # stopped on the way, it does not run the rest of the class
+                pool.shutdown(
+                    cancel_futures=True
+                )  # stopped on the way, it does not run the rest of the class
 
     def _asks(self, work: _Work) -> list[Ask]:
         pairs = ((exercise, work.records[exercise.slug].numbers) for exercise in self.exercises)
@@ -190,9 +227,15 @@ class SheetMarker:
         try:
             if isinstance(raws, Exception):
                 raise raws  # noqa: TRY301 - both ways of failing leave the same verdicts
-            verdicts = [verdict for exercise in self.exercises for verdict in self._mark_exercise(exercise, work, raws)]
+            verdicts = [
+                verdict
+                for exercise in self.exercises
+                for verdict in self._mark_exercise(exercise, work, raws)
+            ]
         except Exception as error:
-            log.exception("%s, sheet %s: the submission could not be marked", work.student.id, self.sheet.name)
+            log.exception(
+                "%s, sheet %s: the submission could not be marked", work.student.id, self.sheet.name
+            )
             reason = f"the grader failed with {type(error).__name__}; the submission is kept and will be marked again"
             verdicts = [*self._waiting(reason)]
         self.gradebook.save_grade(work.key, verdicts)
@@ -200,18 +243,32 @@ class SheetMarker:
 
     def _unfinished(self, verdicts: Sequence[Verdict]) -> bool:
         """Whether the grader left something open; what is marked by hand is not its business."""
-        return any(v.points is None and not isinstance(self._parts[v.part].answer, Manual) for v in verdicts)
+        return any(
+            v.points is None and not isinstance(self._parts[v.part].answer, Manual)
+            for v in verdicts
+        )
 
     def _result(self, student: Student, verdicts: Sequence[Verdict]) -> Result:
-        return Result(student, self.sheet.name, with_marks(verdicts, student.id, self._marks, self._parts))
+        return Result(
+            student, self.sheet.name, with_marks(verdicts, student.id, self._marks, self._parts)
+        )
 
-    def _mark_exercise(self, exercise: Exercise, work: _Work, raws: dict[str, Raw]) -> Iterator[Verdict]:
+    def _mark_exercise(
+        self, exercise: Exercise, work: _Work, raws: dict[str, Raw]
+    ) -> Iterator[Verdict]:
         others = self._others(exercise, work.student)
         try:
             verdicts = mark(exercise, work.records[exercise.slug].numbers, raws, others)
         except Exception as error:
-            log.exception("%s, sheet %s: %s could not be marked", work.student.id, self.sheet.name, exercise.slug)
-            reason = f"exercise {exercise.slug} failed with {type(error).__name__}; your answer is kept"
+            log.exception(
+                "%s, sheet %s: %s could not be marked",
+                work.student.id,
+                self.sheet.name,
+                exercise.slug,
+            )
+            reason = (
+                f"exercise {exercise.slug} failed with {type(error).__name__}; your answer is kept"
+            )
             verdicts = [not_graded(part.variable, part.points, reason) for part in exercise.asked]
         for verdict in verdicts:
             moved = verdict.part in work.moved
@@ -240,7 +297,9 @@ def _plain(error: BaseException) -> Exception:
 def recorded_results(course: Course, gradebook: Gradebook, sheet: Sheet) -> list[Result]:
     """What the gradebook holds for every student of the roster, without looking at submissions."""
     current, marks = gradebook.current(sheet.name), gradebook.marks(sheet.name)
-    parts = {part.variable: part for exercise in exercises_of(course, sheet) for part in exercise.asked}
+    parts = {
+        part.variable: part for exercise in exercises_of(course, sheet) for part in exercise.asked
+    }
     return [
         Result(student, sheet.name, with_marks(current[student.id], student.id, marks, parts))
         if student.id in current

@@ -23,7 +23,9 @@ def markdown_html(text: str) -> str:
         formulas.append(mathml(match[1] or match[2], display="block" if shown else "inline"))
         return f"{OPEN}{len(formulas) - 1}{CLOSE}"
 
-    pieces = [piece if piece.startswith("`") else FORMULA.sub(taken, piece) for piece in CODE.split(text)]
+    pieces = [
+        piece if piece.startswith("`") else FORMULA.sub(taken, piece) for piece in CODE.split(text)
+    ]
     html = _renderer().render("".join(pieces))
     return re.sub(f"{OPEN}([0-9]+){CLOSE}", lambda match: formulas[int(match[1])], html)
 

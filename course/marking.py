@@ -15,8 +15,8 @@ from .files import write_atomically
 from .gradebook import Gradebook
 from .grading import Result, SheetMarker, recorded_results
 from .pages import write_feedback, write_report
+from .sheet.submissions import strangers
 from .sheets import exercises_of
-from .submissions import strangers
 from .tables import grades_csv, legend, terminal_table
 
 
@@ -30,7 +30,9 @@ def mark_sheets(
 ) -> list[tuple[Sheet, list[Result]]]:
     """Marks sheets with a progress bar and writes all that follows from the marks."""
     for name in strangers(course.folder, {student.id for student in course.students}):
-        say(f"{course.folder / 'submitted' / name} belongs to nobody of roster.csv and is not marked.")
+        say(
+            f"{course.folder / 'submitted' / name} belongs to nobody of roster.csv and is not marked."
+        )
     marked: list[tuple[Sheet, list[Result]]] = []
     with progress("Marking", len(course.students) * len(sheets)) as step:
         for sheet in sheets:
@@ -71,7 +73,9 @@ def write_results(course: Course, marked: Iterable[tuple[Sheet, Sequence[Result]
 
 def show(course: Course, marked: Sequence[tuple[Sheet, Sequence[Result]]]) -> None:
     """The table of every sheet on stdout, and where to look on stderr."""
-    console = Console() if sys.stdout.isatty() else Console(width=140)  # a file has no width of its own
+    console = (
+        Console() if sys.stdout.isatty() else Console(width=140)
+    )  # a file has no width of its own
     for sheet, results in marked:
         console.print(Text(sheet.title or sheet.name, style="bold"))
         console.print(terminal_table(results, exercises_of(course, sheet)))

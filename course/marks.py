@@ -9,7 +9,7 @@ from typing import Any
 
 from ..exercises.answers import Manual
 from ..exercises.exercise import Exercise, Part, references
-from ..grader.verdict import Finding, Status, Verdict
+from ..grader.marking.verdict import Finding, Status, Verdict
 from .config import Course, CourseError, Sheet
 from .escape import no_formula
 from .files import write_atomically
@@ -17,7 +17,18 @@ from .gradebook import Gradebook, Mark
 from .sheets import exercises_of
 from .variant import digest
 
-COLUMNS = ("student", "sheet", "part", "points", "out_of", "comment", "answer", "key", "rubric", "answer_id")
+COLUMNS = (
+    "student",
+    "sheet",
+    "part",
+    "points",
+    "out_of",
+    "comment",
+    "answer",
+    "key",
+    "rubric",
+    "answer_id",
+)
 NEEDED = ("student", "sheet", "part", "points", "answer_id")
 CHANGED = "The answer changed since it was marked by hand; it waits for a new mark."
 
@@ -53,10 +64,16 @@ def answer_id(answer: Any) -> str:
 
 
 def with_marks(
-    verdicts: Sequence[Verdict], student: str, marks: Mapping[tuple[str, str], Mark], parts: Mapping[str, Part]
+    verdicts: Sequence[Verdict],
+    student: str,
+    marks: Mapping[tuple[str, str], Mark],
+    parts: Mapping[str, Part],
 ) -> tuple[Verdict, ...]:
     """Verdicts with the marks that were entered by hand for these answers; `marks` go by student and part."""
-    return tuple(_marked(verdict, marks.get((student, verdict.part)), parts.get(verdict.part)) for verdict in verdicts)
+    return tuple(
+        _marked(verdict, marks.get((student, verdict.part)), parts.get(verdict.part))
+        for verdict in verdicts
+    )
 
 
 def _marked(verdict: Verdict, mark: Mark | None, part: Part | None) -> Verdict:
@@ -74,15 +91,31 @@ def by_hand(course: Course, gradebook: Gradebook, sheets: Sequence[Sheet]) -> It
     """Everything that was handed in and is marked by hand, in the order of roster and sheet."""
     for sheet in sheets:
         current, marks = gradebook.current(sheet.name), gradebook.marks(sheet.name)
-        numbers = {(record.student, record.exercise): record.numbers for record in gradebook.records(sheet.name)}
+        numbers = {
+            (record.student, record.exercise): record.numbers
+            for record in gradebook.records(sheet.name)
+        }
         for exercise in exercises_of(course, sheet):
             for part in (part for part in exercise.asked if isinstance(part.answer, Manual)):
                 for student in (student.id for student in course.students if student.id in current):
-                    verdict = next((found for found in current[student] if found.part == part.variable), None)
+                    verdict = next(
+                        (found for found in current[student] if found.part == part.variable), None
+                    )
                     if verdict and (student, exercise.slug) in numbers:
                         key = _key(exercise, part, numbers[student, exercise.slug])
-                        mark, answer = marks.get((student, part.variable)), str(verdict.answer or "")
-                        yield ByHand(student, sheet.name, part, answer, key, mark, verdict.status == "missing")
+                        mark, answer = (
+                            marks.get((student, part.variable)),
+                            str(verdict.answer or ""),
+                        )
+                        yield ByHand(
+                            student,
+                            sheet.name,
+                            part,
+                            answer,
+                            key,
+                            mark,
+                            verdict.status == "missing",
+                        )
 
 
 def _key(exercise: Exercise, part: Part, numbers: dict[str, Any]) -> str:
@@ -107,7 +140,11 @@ def enter(
 
 
 def _one(found: Sequence[ByHand], student: str, part: str, sheet: str = "") -> ByHand:
-    these = [one for one in found if (one.student, one.part.variable) == (student, part) and sheet in ("", one.sheet)]
+    these = [
+        one
+        for one in found
+        if (one.student, one.part.variable) == (student, part) and sheet in ("", one.sheet)
+    ]
     if len(these) > 1:
         sheets = ", ".join(one.sheet for one in these)
         raise CourseError(f"{part} is on the sheets {sheets}; name one with --sheet")
@@ -122,7 +159,9 @@ def _one(found: Sequence[ByHand], student: str, part: str, sheet: str = "") -> B
 
 def _mark(one: ByHand, points: float, comment: str) -> Mark:
     if not 0 <= points <= one.part.points:
-        raise CourseError(f"{one.student}, {one.part.variable}: points take 0 to {one.part.points:g}, got {points:g}")
+        raise CourseError(
+            f"{one.student}, {one.part.variable}: points take 0 to {one.part.points:g}, got {points:g}"
+        )
     return Mark(one.student, one.sheet, one.part.variable, points, comment, one.answer_id)
 
 
@@ -161,7 +200,9 @@ def read_csv(path: Path, found: Sequence[ByHand], gradebook: Gradebook) -> int:
         if not text:
             continue
         try:
-            marks.append(_mark(_of_row(found, row), _points(text), _comment(row.get("comment") or "")))
+            marks.append(
+                _mark(_of_row(found, row), _points(text), _comment(row.get("comment") or ""))
+            )
         except CourseError as error:
             raise CourseError(f"{path}, line {line}: {error}; nothing was entered") from error
     gradebook.save_marks(marks)
@@ -171,7 +212,9 @@ def read_csv(path: Path, found: Sequence[ByHand], gradebook: Gradebook) -> int:
 def _of_row(found: Sequence[ByHand], row: Mapping[str, str]) -> ByHand:
     one = _one(found, row["student"].strip(), row["part"].strip(), row["sheet"].strip())
     if row["answer_id"].strip() != one.answer_id:
-        raise CourseError(f"{one.student}, {one.part.variable}: the answer changed since this file was written")
+        raise CourseError(
+            f"{one.student}, {one.part.variable}: the answer changed since this file was written"
+        )
     return one
 
 
@@ -180,11 +223,15 @@ def _rows(path: Path) -> Iterator[tuple[int, dict[str, str]]]:
         text = path.read_text(encoding="utf-8-sig")
     except (OSError, UnicodeDecodeError) as error:
         raise CourseError(f"{path} cannot be read as UTF-8 text: {error}") from error
-    separator = ";" if text.partition("\n")[0].count(";") > text.partition("\n")[0].count(",") else ","
+    separator = (
+        ";" if text.partition("\n")[0].count(";") > text.partition("\n")[0].count(",") else ","
+    )
     reader = csv.DictReader(io.StringIO(text, newline=""), delimiter=separator)
     missing = [name for name in NEEDED if name not in (reader.fieldnames or ())]
     if missing:
-        raise CourseError(f"{path}: the column {missing[0]!r} is missing; `kinegrade marks write` has all columns")
+        raise CourseError(
+            f"{path}: the column {missing[0]!r} is missing; `kinegrade marks write` has all columns"
+        )
     try:
         for row in reader:
             yield reader.line_num, {key: value or "" for key, value in row.items() if key}

@@ -4,20 +4,31 @@ from importlib.resources import files
 from pathlib import Path
 from textwrap import wrap
 
-from ..exercises.catalogue import exercise_files
+from ..exercises.files.finding import exercise_files
 from .config import CourseError, Settings, read_settings
 from .console import say
 from .files import write_atomically
 from .secret import FILE, write_secret
 
 ROSTER = "student,name\nstudent01,First Student\nstudent02,Second Student\n"
-PRIVATE = (FILE, "gradebook.sqlite*", "released/", "solutions/", "submitted/", "feedback/", "report/", "grades*.csv")
+PRIVATE = (
+    FILE,
+    "gradebook.sqlite*",
+    "released/",
+    "solutions/",
+    "submitted/",
+    "feedback/",
+    "report/",
+    "grades*.csv",
+)
 """What a course repository does not hold: it would give away the secret, the answers or somebody's marks."""
 
 
 def course_text(title: str) -> str:
     """A commented course.toml."""
-    template = files("kinegrade.course").joinpath("templates/course.toml").read_text(encoding="utf-8")
+    template = (
+        files("kinegrade.course").joinpath("templates/course.toml").read_text(encoding="utf-8")
+    )
     known = "\n# ".join(wrap(", ".join(sorted(exercise_files())), 100))
     return template.replace("@TITLE@", title).replace("@EXERCISES@", known)
 
@@ -48,7 +59,9 @@ def _refuse_what_is_complete(folder: Path) -> None:
     settings = folder / "course.toml"
     if (folder / FILE).exists() or read_settings(settings).secret:
         raise CourseError(f"{settings} is already there; init never overwrites a course")
-    if (folder / "released").exists() or _has_records(folder / "gradebook.sqlite", read_settings(settings)):
+    if (folder / "released").exists() or _has_records(
+        folder / "gradebook.sqlite", read_settings(settings)
+    ):
         raise CourseError(
             f"{settings} is already there and has handed out sheets, but {folder / FILE} is not there; put the backup "
             "of the secret back, since from a new one follow other numbers"
@@ -74,7 +87,10 @@ def _ignore_file(path: Path) -> list[Path]:
     """Writes .gitignore; one that is there is left alone, and what it does not name is told."""
     if not path.exists():
         return _written(path, "\n".join(PRIVATE) + "\n")
-    lines = {line.strip().strip("/") for line in path.read_text(encoding="utf-8", errors="replace").splitlines()}
+    lines = {
+        line.strip().strip("/")
+        for line in path.read_text(encoding="utf-8", errors="replace").splitlines()
+    }
     missing = [name for name in PRIVATE if name.strip("/") not in lines]
     if missing:
         say(f"{path} was there and is left alone; it should also name: {' '.join(missing)}")

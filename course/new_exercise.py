@@ -4,7 +4,7 @@ import re
 from importlib.resources import files
 from pathlib import Path
 
-from ..exercises.catalogue import exercise_files
+from ..exercises.files.finding import exercise_files
 from .config import CourseError
 from .files import write_atomically
 
@@ -26,7 +26,11 @@ def write_exercise(name: str, folder: Path) -> Path:
     if path.exists():
         raise CourseError(f"{path} is already there; new never overwrites a file")
     if name in exercise_files():
-        raise CourseError(f"{name} is an exercise that comes with the package; another name keeps the two apart")
-    template = files("kinegrade.course").joinpath("templates/exercise.txt").read_text(encoding="utf-8")
+        raise CourseError(
+            f"{name} is an exercise that comes with the package; another name keeps the two apart"
+        )
+    template = (
+        files("kinegrade.course").joinpath("templates/exercise.txt").read_text(encoding="utf-8")
+    )
     write_atomically(path, template.replace("@NAME@", name))
     return path

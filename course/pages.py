@@ -12,7 +12,7 @@ from jinja2 import BaseLoader, Environment, Template
 from markupsafe import Markup
 
 from ..exercises.exercise import Choice, Exercise, Manual, Part
-from ..grader.verdict import STATUS_WORDS, Verdict
+from ..grader.marking.verdict import STATUS_WORDS, Verdict
 from .config import Course, Sheet
 from .escape import printable
 from .files import write_atomically
@@ -21,7 +21,9 @@ from .grading import Result
 from .tables import MARKS, points_text, remark, status
 
 
-def write_feedback(course: Course, sheet: Sheet, exercises: Sequence[Exercise], result: Result) -> Path:
+def write_feedback(
+    course: Course, sheet: Sheet, exercises: Sequence[Exercise], result: Result
+) -> Path:
     """feedback/<student>/<sheet>.html: every part, every entry, and what was found; no reference value."""
     path = course.folder / "feedback" / result.student.id / f"{sheet.name}.html"
     verdicts = {verdict.part: verdict for verdict in result.verdicts}
@@ -29,7 +31,9 @@ def write_feedback(course: Course, sheet: Sheet, exercises: Sequence[Exercise], 
         {
             "title": exercise.title,
             "parts": [
-                feedback_block(part, verdicts[part.variable]) for part in exercise.asked if part.variable in verdicts
+                feedback_block(part, verdicts[part.variable])
+                for part in exercise.asked
+                if part.variable in verdicts
             ],
         }
         for exercise in exercises
@@ -91,7 +95,11 @@ def _matrices(part: Part, verdict: Verdict) -> list[list[list[dict[str, Any]]]]:
     return [
         [
             [
-                {"text": x if isinstance(x, str) else number(x, decimals), "right": ok, "typed": isinstance(x, str)}
+                {
+                    "text": x if isinstance(x, str) else number(x, decimals),
+                    "right": ok,
+                    "typed": isinstance(x, str),
+                }
                 for x, ok in zip(xs, oks, strict=True)
             ]
             for xs, oks in zip(rows, flags, strict=True)
@@ -104,26 +112,41 @@ def _depth(nested: Any) -> int:
     return 1 + _depth(nested[0]) if isinstance(nested, list) else 0  # pyright: ignore[reportUnknownArgumentType]
 
 
-def write_report(course: Course, sheets: Sequence[tuple[Sheet, Sequence[Exercise], Sequence[Result]]]) -> Path:
+def write_report(
+    course: Course, sheets: Sequence[tuple[Sheet, Sequence[Exercise], Sequence[Result]]]
+) -> Path:
     """report/index.html: the class, part by part, with the maps of the robots that were asked about."""
     path = course.folder / "report" / "index.html"
     blocks = [_sheet_block(sheet, exercises, results) for sheet, exercises, results in sheets]
-    robots = {exercise.robot for _, exercises, _ in sheets for exercise in exercises if exercise.robot}
+    robots = {
+        exercise.robot for _, exercises, _ in sheets for exercise in exercises if exercise.robot
+    }
     figures = [_figure(path.parent, name) for name in sorted(robots)]
-    write_atomically(path, template("report.html").render(course=course.settings.title, sheets=blocks, figures=figures))
+    write_atomically(
+        path,
+        template("report.html").render(
+            course=course.settings.title, sheets=blocks, figures=figures
+        ),
+    )
     return path
 
 
-def _sheet_block(sheet: Sheet, exercises: Sequence[Exercise], results: Sequence[Result]) -> dict[str, Any]:
+def _sheet_block(
+    sheet: Sheet, exercises: Sequence[Exercise], results: Sequence[Result]
+) -> dict[str, Any]:
     parts = [part for exercise in exercises for part in exercise.asked]
     rows = [
         {
             "student": result.student,
-            "feedback": f"../feedback/{result.student.id}/{sheet.name}.html" if result.verdicts else "",
+            "feedback": f"../feedback/{result.student.id}/{sheet.name}.html"
+            if result.verdicts
+            else "",
             "cells": [_cell(result, part) for part in parts],
             "points": points_text(result),
             "remark": remark(result, public=True),
-            "private": sorted({f.text for verdict in result.verdicts for f in verdict.findings if f.private}),
+            "private": sorted(
+                {f.text for verdict in result.verdicts for f in verdict.findings if f.private}
+            ),
         }
         for result in results
     ]
@@ -131,7 +154,11 @@ def _sheet_block(sheet: Sheet, exercises: Sequence[Exercise], results: Sequence[
         "title": sheet.title or sheet.name,
         "mode": sheet.mode,
         "parts": [
-            {"variable": part.variable, "points": f"{part.points:g}", "counts": _counts(results, part)}
+            {
+                "variable": part.variable,
+                "points": f"{part.points:g}",
+                "counts": _counts(results, part),
+            }
             for part in parts
         ],
         "rows": rows,
@@ -144,13 +171,21 @@ def _sheet_block(sheet: Sheet, exercises: Sequence[Exercise], results: Sequence[
 def _cell(result: Result, part: Part) -> dict[str, str]:
     for verdict in result.verdicts:
         if verdict.part == part.variable:
-            return {"status": verdict.status, "mark": MARKS[verdict.status], "words": STATUS_WORDS[verdict.status]}
+            return {
+                "status": verdict.status,
+                "mark": MARKS[verdict.status],
+                "words": STATUS_WORDS[verdict.status],
+            }
     return {"status": "none", "mark": "", "words": "no submission"}
 
 
 def _counts(results: Sequence[Result], part: Part) -> str:
-    counts = Counter(v.status for result in results for v in result.verdicts if v.part == part.variable)
-    return ", ".join(f"{counts[kind]} {words}" for kind, words in STATUS_WORDS.items() if counts[kind])
+    counts = Counter(
+        v.status for result in results for v in result.verdicts if v.part == part.variable
+    )
+    return ", ".join(
+        f"{counts[kind]} {words}" for kind, words in STATUS_WORDS.items() if counts[kind]
+    )
 
 
 def _figure(folder: Path, name: str) -> dict[str, str]:
@@ -160,7 +195,7 @@ def _figure(folder: Path, name: str) -> dict[str, str]:
     file = f"{name}-{version('kinegrade')}.png"
     text = (folder / file).with_suffix(".txt")
     if not (folder / file).exists() or not text.exists():
-        from ..grader.maps import describe, save
+        from ..grader.figures.maps import describe, save
 
         folder.mkdir(parents=True, exist_ok=True)
         save(robot(name), folder / file)
@@ -171,7 +206,11 @@ def _figure(folder: Path, name: str) -> dict[str, str]:
 @cache
 def template(name: str) -> Template:
     """One of our pages, with the style that all of them share."""
-    environment: Any = Environment(loader=BaseLoader(), autoescape=True, trim_blocks=True, lstrip_blocks=True)
+    environment: Any = Environment(
+        loader=BaseLoader(), autoescape=True, trim_blocks=True, lstrip_blocks=True
+    )
     style = files("kinegrade.course").joinpath("templates/style.css").read_text(encoding="utf-8")
     environment.globals["style"] = Markup(style)  # noqa: S704 - our own file
-    return environment.from_string(files("kinegrade.course").joinpath(f"templates/{name}").read_text(encoding="utf-8"))
+    return environment.from_string(
+        files("kinegrade.course").joinpath(f"templates/{name}").read_text(encoding="utf-8")
+    )

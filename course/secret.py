@@ -73,7 +73,9 @@ def _from_file(path: Path) -> str | None:
     except (OSError, UnicodeDecodeError) as error:
         raise CourseError(f"{path} cannot be read as UTF-8 text: {error}") from error
     if os.name == "posix" and mode & OTHERS:
-        say(f"{path} can be read by others on this machine; `chmod 600 {path}` keeps the secret to yourself.")
+        say(
+            f"{path} can be read by others on this machine; `chmod 600 {path}` keeps the secret to yourself."
+        )
     return _long_enough(str(path), text)
 
 

@@ -5,15 +5,15 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
-from ..exercises.catalogue import exercise_files, find
 from ..exercises.exercise import Exercise
+from ..exercises.files.finding import exercise_files, find
 from .check import read_handout
 from .config import Course, CourseError, Sheet, Student, nearest
 from .files import write_atomically
 from .gradebook import Gradebook
-from .notebook import notebooks, printed
 from .secret import read_secret
-from .starter_matlab import starter
+from .sheet.matlab import starter
+from .sheet.notebook import notebooks, printed
 from .variant import Record, canonical, draw_record
 
 
@@ -40,7 +40,9 @@ def exercises_of(course: Course, sheet: Sheet) -> list[Exercise]:
     names = [part.variable for exercise in exercises for part in exercise.asked]
     for name in names:
         if names.count(name) > 1:
-            raise CourseError(f"sheet {sheet.name}: {name} is asked twice; answers are collected by name")
+            raise CourseError(
+                f"sheet {sheet.name}: {name} is asked twice; answers are collected by name"
+            )
     _check_pins(sheet, {exercise.slug: exercise for exercise in exercises})
     return exercises
 
@@ -49,7 +51,9 @@ def _check_pins(sheet: Sheet, exercises: Mapping[str, Exercise]) -> None:
     """Refuses to pin what is no choice of form of an exercise on the sheet."""
     for slug, pins in sheet.pinned.items():
         if slug not in exercises:
-            raise CourseError(f"sheet {sheet.name} pins {slug!r}{nearest(slug, exercises)}, which is not on the sheet")
+            raise CourseError(
+                f"sheet {sheet.name} pins {slug!r}{nearest(slug, exercises)}, which is not on the sheet"
+            )
         structure = exercises[slug].structure
         for name in pins:
             if name not in structure:
@@ -60,7 +64,10 @@ def _check_pins(sheet: Sheet, exercises: Mapping[str, Exercise]) -> None:
 
 
 def generate(
-    course: Course, gradebook: Gradebook, sheets: tuple[Sheet, ...], step: Callable[[], None] = lambda: None
+    course: Course,
+    gradebook: Gradebook,
+    sheets: tuple[Sheet, ...],
+    step: Callable[[], None] = lambda: None,
 ) -> list[Released]:
     """A notebook, a solution and, where asked, a MATLAB script for every student on every sheet.
 
@@ -70,7 +77,9 @@ def generate(
     secret = cache(lambda: read_secret(course))  # not asked for where all is drawn
     for sheet in sheets:
         exercises = exercises_of(course, sheet)
-        drawn = {(record.student, record.exercise): record for record in gradebook.records(sheet.name)}
+        drawn = {
+            (record.student, record.exercise): record for record in gradebook.records(sheet.name)
+        }
         for student in course.students:
             fresh = _draw_missing(secret, sheet, student, exercises, drawn)
             records = [drawn[student.id, exercise.slug] for exercise in exercises]
@@ -95,8 +104,14 @@ def _draw_missing(
         key = (student.id, exercise.slug)
         if key in drawn:
             continue
-        taken = {canonical(record.numbers) for record in drawn.values() if record.exercise == exercise.slug}
-        drawn[key] = draw_record(secret(), sheet.name, student.id, exercise, taken, sheet.pinned.get(exercise.slug))
+        taken = {
+            canonical(record.numbers)
+            for record in drawn.values()
+            if record.exercise == exercise.slug
+        }
+        drawn[key] = draw_record(
+            secret(), sheet.name, student.id, exercise, taken, sheet.pinned.get(exercise.slug)
+        )
         fresh.append(drawn[key])
     return fresh
 
@@ -107,7 +122,9 @@ def _agree(path: Path, exercises: list[Exercise], records: list[Record]) -> None
         return
     pairs = zip(exercises, records, strict=True)
     try:
-        same = read_handout(path).numbers == {e.slug: printed(e, record.numbers) for e, record in pairs}
+        same = read_handout(path).numbers == {
+            e.slug: printed(e, record.numbers) for e, record in pairs
+        }
     except CourseError:
         same = False
     if not same:

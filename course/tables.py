@@ -10,28 +10,44 @@ from rich.table import Table
 from rich.text import Text
 
 from ..exercises.exercise import Exercise, Manual
-from ..grader.verdict import STATUS_WORDS
+from ..grader.marking.verdict import STATUS_WORDS
 from .console import say
 from .escape import no_formula, printable
 from .grading import Result
 from .marks import ByHand
 
 NEWLINE = "\n"  # behind it stands what was typed, with a caret
-MARKS = {"correct": "✓", "partly": "◐", "incorrect": "✗", "missing": "–", "failed": "!", "not_graded": "?"}
+MARKS = {
+    "correct": "✓",
+    "partly": "◐",
+    "incorrect": "✗",
+    "missing": "–",
+    "failed": "!",
+    "not_graded": "?",
+}
 
 
 def terminal_table(results: Sequence[Result], exercises: Sequence[Exercise]) -> Table:
     """One line per student: a mark for every part of each exercise, points, and the first thing worth knowing."""
     table = Table(header_style="bold", pad_edge=False, box=SIMPLE_HEAD)
-    table.add_column("student", no_wrap=True, min_width=max((len(result.student.id) for result in results), default=7))
+    table.add_column(
+        "student",
+        no_wrap=True,
+        min_width=max((len(result.student.id) for result in results), default=7),
+    )
     for exercise in exercises:
         table.add_column(exercise.slug, no_wrap=True, min_width=len(exercise.slug))
     table.add_column("points", justify="right", no_wrap=True, min_width=10)
     table.add_column("first remark")
     for result in results:
         marks = {verdict.part: MARKS[verdict.status] for verdict in result.verdicts}
-        shown = ["".join(marks.get(part.variable, " ") for part in exercise.asked) for exercise in exercises]
-        table.add_row(result.student.id, *shown, points_text(result), Text(printable(remark(result))))
+        shown = [
+            "".join(marks.get(part.variable, " ") for part in exercise.asked)
+            for exercise in exercises
+        ]
+        table.add_row(
+            result.student.id, *shown, points_text(result), Text(printable(remark(result)))
+        )
     return table
 
 
@@ -39,11 +55,21 @@ def show_by_hand(waiting: Sequence[ByHand]) -> None:
     """Answers that wait for a mark, one after the other, with what to mark them by."""
     for one in waiting:
         assert isinstance(one.part.answer, Manual)  # noqa: S101 - only such parts wait
-        answer = printable(one.answer) if one.answer else "(on paper)" if one.part.answer.on_paper else "(nothing)"
+        answer = (
+            printable(one.answer)
+            if one.answer
+            else "(on paper)"
+            if one.part.answer.on_paper
+            else "(nothing)"
+        )
         rubric = "\n".join(f"    {points:g}  {text}" for points, text in one.part.answer.rubric)
         print(f"{one.student}  {one.part.variable}  {one.part.points:g} points\n  answer: {answer}")  # noqa: T201 - data of a command
         print(f"  key:    {one.key}\n{rubric}\n")  # noqa: T201 - the same
-    say(f"{len(waiting)} answers wait for a mark." if len(waiting) != 1 else "One answer waits for a mark.")
+    say(
+        f"{len(waiting)} answers wait for a mark."
+        if len(waiting) != 1
+        else "One answer waits for a mark."
+    )
 
 
 def legend() -> str:

@@ -11,8 +11,7 @@ from typing import Any
 import numpy as np
 
 from ..exercises.exercise import Exercise, ExerciseError, Part, references
-from ..exercises.loading import stopped
-from ..exercises.values import pictured
+from ..exercises.files.loading import stopped
 from ..solutions.errors import KinegradeError
 from .drawn import drawn
 
@@ -58,11 +57,17 @@ def draw_record(
             continue
         fitting += 1
         if canonical(numbers) not in taken:
-            return Record(student, sheet, exercise.slug, attempt, numbers, _solved(student, exercise, numbers))
+            return Record(
+                student, sheet, exercise.slug, attempt, numbers, _solved(student, exercise, numbers)
+            )
     if not fitting:
         gave = "; ".join(f"{name} was {', '.join(sorted(values))}" for name, values in seen.items())
-        raise ExerciseError(f"sheet {sheet}: {ATTEMPTS} draws of {exercise.slug} never gave what is pinned: {gave}")
-    raise ExerciseError(f"exercise {exercise.slug}: {ATTEMPTS} draws gave no new numbers; draw from a wider set")
+        raise ExerciseError(
+            f"sheet {sheet}: {ATTEMPTS} draws of {exercise.slug} never gave what is pinned: {gave}"
+        )
+    raise ExerciseError(
+        f"exercise {exercise.slug}: {ATTEMPTS} draws gave no new numbers; draw from a wider set"
+    )
 
 
 def generator(secret: str, *where: str | int) -> np.random.Generator:
@@ -91,13 +96,17 @@ def _solved(student: str, exercise: Exercise, numbers: dict[str, Any]) -> dict[s
 def fingerprint(exercise: Exercise, numbers: dict[str, Any]) -> dict[str, Any]:
     """Every reference answer as numbers, rounded to 1e-9: it moves when a file, a row or a library changes one."""
     answers = references(exercise, numbers)
-    pictures = {part.variable: _picture(part, answers[part.variable], numbers) for part in exercise.parts}
+    pictures = {
+        part.variable: _picture(part, answers[part.variable], numbers) for part in exercise.parts
+    }
     return {name: picture for name, picture in pictures.items() if picture is not None}
 
 
 def _picture(part: Part, answer: Any, numbers: dict[str, Any]) -> Any:
-    picture = pictured(part.answer, answer, numbers)
-    return None if picture is None else (np.round(picture, 9) + 0.0).tolist()  # no minus zero in the record
+    picture = part.answer.pictured(answer, numbers)
+    return (
+        None if picture is None else (np.round(picture, 9) + 0.0).tolist()
+    )  # no minus zero in the record
 
 
 def moved_parts(record: Record, exercise: Exercise) -> list[str]:
@@ -107,7 +116,9 @@ def moved_parts(record: Record, exercise: Exercise) -> list[str]:
     for part in exercise.parts:
         try:
             now = _picture(part, answers[part.variable], record.numbers)
-        except Exception:  # the inputs of a function may fail in any way; the other parts are marked all the same
+        except (
+            Exception
+        ):  # the inputs of a function may fail in any way; the other parts are marked all the same
             log.exception("%s cannot be compared with what was recorded", part.variable)
             moved.append(part.variable)
             continue

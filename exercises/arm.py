@@ -128,7 +128,9 @@ class Arm:
             for name, (start, end) in (lengths or {}).items()
         )
         plate = point(np.asarray(stands))
-        return Drawing(self.chain, tuple(self.q.tolist()), caption, alt, triads, lines, arrows, view, plate)
+        return Drawing(
+            self.chain, tuple(self.q.tolist()), caption, alt, triads, lines, arrows, view, plate
+        )
 
 
 def arm_of(robot: Robot, v: Variant, names: tuple[str, ...] | None = None) -> Arm:

@@ -55,11 +55,16 @@ def until(draw: Callable[[], Any], accept: Callable[[Any], bool]) -> Any:
         drawn = draw()
         if accept(drawn):
             return drawn
-    raise ExerciseError(f"{TRIES} draws in a row were refused; the conditions of this draw leave too little room")
+    raise ExerciseError(
+        f"{TRIES} draws in a row were refused; the conditions of this draw leave too little room"
+    )
 
 
 def posture(
-    robot: Robot, rng: np.random.Generator, lengths: Sequence[str] | None = None, regular: float = REGULAR
+    robot: Robot,
+    rng: np.random.Generator,
+    lengths: Sequence[str] | None = None,
+    regular: float = REGULAR,
 ) -> dict[str, Any]:
     """Lengths and q of an arm away from its singular postures, within its limits.
 
@@ -72,7 +77,9 @@ def posture(
     names = [*robot.parameters] if lengths is None else [*lengths]
     sizes = {name: _near(rng, robot.parameters[name]) for name in names}
     chain = robot.chain(sizes)
-    unit = np.where(np.arange(6) < 3, sum(map(abs, robot.values(sizes).values())) or 1.0, 1.0)[:, None]
+    unit = np.where(np.arange(6) < 3, sum(map(abs, robot.values(sizes).values())) or 1.0, 1.0)[
+        :, None
+    ]
     turning = [i for i, kind in enumerate(robot.kinds) if kind == "R"]
     turns = [[turning.index(joint) for joint in group] for group in parallel_groups(robot)]
 
@@ -102,7 +109,10 @@ def parallel_groups(robot: Robot) -> list[tuple[int, ...]]:
         else:
             runs.append([joint])
     return [
-        tuple(run[start : end + 1]) for run in runs for start in range(len(run)) for end in range(start + 1, len(run))
+        tuple(run[start : end + 1])
+        for run in runs
+        for start in range(len(run))
+        for end in range(start + 1, len(run))
     ]
 
 

@@ -15,7 +15,6 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..solutions.errors import KinegradeError
-from ..solutions.units import UnitError, refuse_unknown_unit
 from .answers import (
     Answer,
     Choice,
@@ -25,12 +24,12 @@ from .answers import (
     Function,
     Manual,
     Numbers,
+    Results,
     TableOf,
     Variant,
 )
 from .drawing import Drawing
-from .results import Results
-from .values import declared
+from .units import UnitError, refuse_unknown_unit
 
 __all__ = [
     "Answer",
@@ -197,24 +196,40 @@ class Exercise:
 def _check_part(slug: str, part: Part, known: Mapping[str, Part]) -> None:
     name = part.variable
     if not name.isidentifier() or iskeyword(name) or not name.startswith(f"{slug}_"):
-        raise ExerciseError(f"exercise {slug}: a variable takes a Python name that starts with {slug}_, got {name!r}")
+        raise ExerciseError(
+            f"exercise {slug}: a variable takes a Python name that starts with {slug}_, got {name!r}"
+        )
     if name in known:
-        raise ExerciseError(f"exercise {slug}: two parts are called {name}; a sheet collects answers by name")
+        raise ExerciseError(
+            f"exercise {slug}: two parts are called {name}; a sheet collects answers by name"
+        )
     for need in part.needs:
         if need not in known:
-            raise ExerciseError(f"exercise {slug}: {name} needs {need}, which is not an earlier part")
+            raise ExerciseError(
+                f"exercise {slug}: {name} needs {need}, which is not an earlier part"
+            )
         if isinstance(known[need].answer, Function | Manual):
-            raise ExerciseError(f"exercise {slug}: {name} cannot need {need}: nothing can be computed from it")
+            raise ExerciseError(
+                f"exercise {slug}: {name} cannot need {need}: nothing can be computed from it"
+            )
     if part.asked and not (part.points > 0 and part.prompt):
         raise ExerciseError(
             f"exercise {slug}: {name} takes a prompt, in an exercise file the docstring of its function, and positive "
             "points"
         )
     if isinstance(part.answer, Configurations) and part.check is None:
-        raise ExerciseError(f"exercise {slug}: {name} asks for configurations, which take a check that judges them")
-    rubric = sum(points for points, _ in part.answer.rubric) if isinstance(part.answer, Manual) else part.points
+        raise ExerciseError(
+            f"exercise {slug}: {name} asks for configurations, which take a check that judges them"
+        )
+    rubric = (
+        sum(points for points, _ in part.answer.rubric)
+        if isinstance(part.answer, Manual)
+        else part.points
+    )
     if not math.isclose(rubric, part.points):
-        raise ExerciseError(f"exercise {slug}: {name} has {part.points:g} points, its rubric {rubric:g}")
+        raise ExerciseError(
+            f"exercise {slug}: {name} has {part.points:g} points, its rubric {rubric:g}"
+        )
 
 
 def _check_units(where: str, units: Any) -> None:
@@ -235,7 +250,9 @@ def _check_answer_units(where: str, answer: Numbers | Configurations) -> None:
         try:
             answer.unit_of_entries()
         except ValueError as error:
-            raise ExerciseError(f"{where} take the shape of its entries, {answer.shape}, or one unit") from error
+            raise ExerciseError(
+                f"{where} take the shape of its entries, {answer.shape}, or one unit"
+            ) from error
 
 
 def references(exercise: Exercise, v: Variant) -> dict[str, Any]:
@@ -246,13 +263,15 @@ def references(exercise: Exercise, v: Variant) -> dict[str, Any]:
     """
     given: dict[str, Any] = {}
     for part in exercise.parts:
-        given[part.variable] = solve(exercise.slug, part, v, {name: given[name] for name in part.needs})
+        given[part.variable] = solve(
+            exercise.slug, part, v, {name: given[name] for name in part.needs}
+        )
     return given
 
 
 def solve(slug: str, part: Part, v: Variant, given: Given) -> Any:
     """The reference answer of one part, checked against its declaration."""
     try:
-        return declared(part.answer, part.solve(v, given), v)
+        return part.answer.declared(part.solve(v, given), v)
     except KinegradeError as error:
         raise ExerciseError(f"exercise {slug}: solve of {part.variable}: {error}") from error

@@ -34,11 +34,11 @@ from ..solutions.robot import Robot
 from ..solutions.robots import ROBOTS
 from .answers import Answer, TableOf, Variant
 from .arm import Arm, arm_of, units_of
+from .contract.introduction import drawn_arm, home_and_now, introduction, off_the_drawing
+from .contract.names import Function, Names
+from .contract.question import Question, Wrong, put_on_sheet
 from .drawing import Drawing
 from .exercise import Exercise, ExerciseError, Part, Rows
-from .introduction import drawn_arm, home_and_now, introduction, off_the_drawing
-from .names import Function, Names
-from .question import Question, Wrong, put_on_sheet
 
 RobotOf = Robot | Callable[..., Robot]
 
@@ -84,7 +84,9 @@ def part(
     """
 
     def decorated(solve: Function) -> Question:
-        return Question(solve, solve.__name__, points, answer, mistakes, check, shows or {}, options)
+        return Question(
+            solve, solve.__name__, points, answer, mistakes, check, shows or {}, options
+        )
 
     return decorated
 
@@ -126,7 +128,10 @@ def exercise(
     questions = _questions(parts, names, draw, rows)
     _check_names(slug, questions, known_units)
     if statement is None and any(isinstance(question.answer, TableOf) for question in questions):
-        statement, drawings = off_the_drawing, drawings or home_and_now  # a printed table would be the answer
+        statement, drawings = (
+            off_the_drawing,
+            drawings or home_and_now,
+        )  # a printed table would be the answer
     if robot_map is None and isinstance(robot, Robot) and ROBOTS.get(robot.name) is robot:
         robot_map = robot.name
     return Exercise(
@@ -157,7 +162,9 @@ def _units_of_robot(
     return {name: unit for name, unit in units_of(robot, sizes).items() if name not in unprinted}
 
 
-def _arm(robot: RobotOf | None, names: Names, sizes: tuple[str, ...] | None) -> Callable[[Variant], Arm] | None:
+def _arm(
+    robot: RobotOf | None, names: Names, sizes: tuple[str, ...] | None
+) -> Callable[[Variant], Arm] | None:
     if robot is None:
         return None
     if isinstance(robot, Robot):
@@ -176,7 +183,9 @@ def _questions(
     if all(isinstance(one, Question) for one in parts):
         return [one for one in parts if isinstance(one, Question)]
     if names.arm is None:
-        raise ExerciseError(f"exercise {names.slug}: a ready-made question takes an exercise with a robot")
+        raise ExerciseError(
+            f"exercise {names.slug}: a ready-made question takes an exercise with a robot"
+        )
     arm = names.arm(draw(np.random.default_rng(0)))
     questions: list[Question] = []
     for one in parts:
@@ -228,7 +237,9 @@ def _statement(names: Names, statement: str | Function | None) -> Callable[[Vari
         return lambda _: statement
     if statement is None:
         if names.arm is None:
-            raise ExerciseError(f"exercise {names.slug}: a statement is missing; only a robot brings one")
+            raise ExerciseError(
+                f"exercise {names.slug}: a statement is missing; only a robot brings one"
+            )
         statement = introduction
     bound = names.bound(statement, "the statement")
     return lambda v: bound(names, v, {})
@@ -251,7 +262,9 @@ def _size_of(arm: Callable[[Variant], Arm]) -> Callable[[Variant], float]:
     return lambda v: arm(v).size
 
 
-def _drawings(names: Names, drawings: Function | None, *, standard: bool) -> Callable[[Variant], tuple[Drawing, ...]]:
+def _drawings(
+    names: Names, drawings: Function | None, *, standard: bool
+) -> Callable[[Variant], tuple[Drawing, ...]]:
     if drawings is None:
         if not (standard and names.arm):
             return lambda _: ()

@@ -11,13 +11,13 @@ from .exercise import Outcome
 
 Array = NDArray[np.float64]
 TURN = 2 * np.pi
-MULTIPLE = (
-    "It is the determinant times a constant: it is zero in the right postures, but the determinant itself is asked."
-)
+MULTIPLE = "It is the determinant times a constant: it is zero in the right postures, but the determinant itself is asked."
 LARGEST_ANGLE = 1e4  # beyond it, whole turns can no longer be taken off without rounding
 
 
-def parallel(value: ArrayLike, direction: ArrayLike, tolerance: float, *, sign: bool = False) -> bool:
+def parallel(
+    value: ArrayLike, direction: ArrayLike, tolerance: float, *, sign: bool = False
+) -> bool:
     """Whether a vector (n,) points along a direction (n,), at any length; with `sign`, not against it.
 
     `tolerance` [rad] is the largest angle between them. A vector of zeros points nowhere.
@@ -75,16 +75,24 @@ def same_rotation(R: ArrayLike, S: ArrayLike, tolerance: float) -> bool:
 def proportional(value: ExpressionArray, reference: ExpressionArray, names: Sequence[str]) -> bool:
     """Whether a formula is another one times a constant that is not zero, such as a determinant up to its sign."""
     values = sample(names, POINTS)
-    own, wanted = (np.broadcast_to(x.at(values), (POINTS, *x.shape)).ravel() for x in (value, reference))
+    own, wanted = (
+        np.broadcast_to(x.at(values), (POINTS, *x.shape)).ravel() for x in (value, reference)
+    )
     if not np.isfinite(own).all() or not wanted.any():
         return False
     factor = float(own @ wanted) / float(wanted @ wanted)
-    return abs(factor) > 1e-9 and bool((np.abs(own - factor * wanted) <= 1e-8 * np.abs(own).max()).all())
+    return abs(factor) > 1e-9 and bool(
+        (np.abs(own - factor * wanted) <= 1e-8 * np.abs(own).max()).all()
+    )
 
 
-def named_multiple(value: ExpressionArray, determinant: ExpressionArray, names: Sequence[str]) -> Outcome | None:
+def named_multiple(
+    value: ExpressionArray, determinant: ExpressionArray, names: Sequence[str]
+) -> Outcome | None:
     """Names a determinant that lacks a constant factor; right and wrong stay with the comparison."""
-    if same_formulas(value, determinant, names).all() or not proportional(value, determinant, names):
+    if same_formulas(value, determinant, names).all() or not proportional(
+        value, determinant, names
+    ):
         return None
     return Outcome(finding=MULTIPLE)
 
@@ -104,7 +112,10 @@ def up_to_full_turns(
     same = same_formulas(value, right, names)
     turns = (sampled(value, names) - sampled(right, names)) / TURN
     for i in angles:
-        same[i] = np.isfinite(turns[:, i]).all() and np.abs(turns[:, i] - np.round(turns[:, i])).max() < 1e-9
+        same[i] = (
+            np.isfinite(turns[:, i]).all()
+            and np.abs(turns[:, i] - np.round(turns[:, i])).max() < 1e-9
+        )
     return Outcome(right=same)
 
 
@@ -115,12 +126,17 @@ def listed(
 
     With `periodic`, angles a full turn apart are the same.
     """
-    own, all_wanted = np.atleast_2d(np.asarray(values, dtype=float)), np.atleast_2d(np.asarray(wanted, dtype=float))
+    own, all_wanted = (
+        np.atleast_2d(np.asarray(values, dtype=float)),
+        np.atleast_2d(np.asarray(wanted, dtype=float)),
+    )
     difference = own[:, None] - all_wanted[None]
     if periodic:
         difference = turned(difference)
     same: NDArray[np.bool_] = np.asarray((np.abs(difference) <= tolerance).all(axis=-1))
-    return np.asarray(np.logical_or.reduce(same, axis=1)), np.asarray(np.logical_or.reduce(same, axis=0))
+    return np.asarray(np.logical_or.reduce(same, axis=1)), np.asarray(
+        np.logical_or.reduce(same, axis=0)
+    )
 
 
 def turned(difference: ArrayLike) -> NDArray[np.float64]:
@@ -130,7 +146,10 @@ def turned(difference: ArrayLike) -> NDArray[np.float64]:
 
 
 def list_share(
-    values: ArrayLike, wanted: ArrayLike, tolerance: float, holds: Callable[[Array], bool] = lambda _: False
+    values: ArrayLike,
+    wanted: ArrayLike,
+    tolerance: float,
+    holds: Callable[[Array], bool] = lambda _: False,
 ) -> tuple[NDArray[np.bool_], float]:
     """Right entries (m, n) of a list of configurations and the share it earns: each wrong one costs one right one.
 

@@ -101,8 +101,15 @@ def analytic_jacobian(chain: Chain, q: ArrayLike, axes: str = ROLL_PITCH_YAW) ->
 def _turns(axes: str) -> Turns:
     fixed = axes.islower()
     letters = (axes[::-1] if fixed else axes).lower()
-    if len(axes) != 3 or not (fixed or axes.isupper()) or set(letters) - set("xyz") or letters[1] in letters[::2]:
-        raise ChainError(f"axes takes three letters such as 'xyz' (fixed) or 'ZYZ' (moving), got {axes!r}")
+    if (
+        len(axes) != 3
+        or not (fixed or axes.isupper())
+        or set(letters) - set("xyz")
+        or letters[1] in letters[::2]
+    ):
+        raise ChainError(
+            f"axes takes three letters such as 'xyz' (fixed) or 'ZYZ' (moving), got {axes!r}"
+        )
     i, j, last = ("xyz".index(letter) for letter in letters)
     return Turns(i, j, 3 - i - j, last, fixed)
 

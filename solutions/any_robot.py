@@ -32,13 +32,17 @@ def robot_from_table(
     `limits` [rad, m] are by default one turn, and 0.1 to 1 m for a slide; `task_rows` the linear rows of an arm with
     three joints, all rows of one with six or more. Raises TableError.
     """
-    kinds = read_table(rows, (*lengths, *(f"q{i}" for i in range(1, len(rows) + 1))), convention).kinds
+    kinds = read_table(
+        rows, (*lengths, *(f"q{i}" for i in range(1, len(rows) + 1))), convention
+    ).kinds
     return Robot(
         name="table",
         title=title,
         parameters=dict(lengths),
         rows=tuple(tuple(row) for row in rows),
-        limits=tuple(limits) if limits else tuple(TURN if kind == "R" else STROKE for kind in kinds),
+        limits=tuple(limits)
+        if limits
+        else tuple(TURN if kind == "R" else STROKE for kind in kinds),
         source="a table",
         convention=convention,
         task_rows=tuple(task_rows) if task_rows else _task(kinds),
@@ -60,9 +64,12 @@ def robot_from_chain(
         title=title,
         parameters={},
         rows=tuple(
-            (*before, (MOVES[kind], f"q{i}")) for i, (kind, before) in enumerate(zip(kinds, steps, strict=False), 1)
+            (*before, (MOVES[kind], f"q{i}"))
+            for i, (kind, before) in enumerate(zip(kinds, steps, strict=False), 1)
         ),
-        limits=tuple(limits) if limits else tuple(TURN if kind == "R" else STROKE for kind in kinds),
+        limits=tuple(limits)
+        if limits
+        else tuple(TURN if kind == "R" else STROKE for kind in kinds),
         source="a chain",
         convention="frames",
         tool=tuple(steps[-1]),
@@ -71,7 +78,11 @@ def robot_from_chain(
 
 
 def robot_from_urdf(
-    text_or_path: str | PathLike[str], base: str | None = None, tip: str | None = None, *, title: str = "Arm"
+    text_or_path: str | PathLike[str],
+    base: str | None = None,
+    tip: str | None = None,
+    *,
+    title: str = "Arm",
 ) -> Robot:
     """The robot between two links of a URDF, with its limits; see `read_urdf`. Raises UrdfError."""
     arm = read_urdf(text_or_path, base, tip)
@@ -87,9 +98,13 @@ def _steps(transform: Array) -> list[Step]:
     along = zip(("Tx", "Ty", "Tz"), transform[:3, 3], strict=True)
     try:
         turns = zip(("Rz", "Ry", "Rx"), angles_from_rotation(transform[:3, :3], "ZYX"), strict=True)
-    except RepresentationError:  # the second angle is a right one, where these axes are not unique; then others are
+    except (
+        RepresentationError
+    ):  # the second angle is a right one, where these axes are not unique; then others are
         turns = zip(("Rz", "Rx", "Rz"), angles_from_rotation(transform[:3, :3], "ZXZ"), strict=True)
-    return [(motion, _typed(float(amount))) for motion, amount in (*along, *turns) if abs(amount) > TINY]
+    return [
+        (motion, _typed(float(amount))) for motion, amount in (*along, *turns) if abs(amount) > TINY
+    ]
 
 
 def _typed(amount: float) -> str:

@@ -37,7 +37,9 @@ class Chain:
             raise ChainError(f"kinds takes one letter R or P for each joint, got {self.kinds!r}")
         expected = (len(self.kinds) + 1, 4, 4)
         if fixed.shape != expected:
-            raise ChainError(f"fixed takes shape {expected} for kinds {self.kinds!r}, got {fixed.shape}")
+            raise ChainError(
+                f"fixed takes shape {expected} for kinds {self.kinds!r}, got {fixed.shape}"
+            )
         fixed = snapped_transforms(fixed)
         for index, transform in enumerate(fixed):
             _check_rigid(f"fixed[{index}]", transform)
@@ -93,7 +95,12 @@ def elementary(motion: str, amount: ArrayLike) -> Array:
 def standard_transform(rows: ArrayLike) -> Array:
     """Rz(theta) Tz(d) Tx(a) Rx(alpha), shape (..., 4, 4), of rows (..., 4) in the order theta, d, a, alpha."""
     theta, d, a, alpha = np.moveaxis(np.asarray(rows, dtype=np.float64), -1, 0)
-    return elementary("Rz", theta) @ elementary("Tz", d) @ elementary("Tx", a) @ elementary("Rx", alpha)
+    return (
+        elementary("Rz", theta)
+        @ elementary("Tz", d)
+        @ elementary("Tx", a)
+        @ elementary("Rx", alpha)
+    )
 
 
 def modified_transform(rows: ArrayLike) -> Array:
@@ -102,10 +109,17 @@ def modified_transform(rows: ArrayLike) -> Array:
     Row i holds alpha and a of the link before joint i (Craig, eq. 3.6).
     """
     theta, d, a, alpha = np.moveaxis(np.asarray(rows, dtype=np.float64), -1, 0)
-    return elementary("Rx", alpha) @ elementary("Tx", a) @ elementary("Rz", theta) @ elementary("Tz", d)
+    return (
+        elementary("Rx", alpha)
+        @ elementary("Tx", a)
+        @ elementary("Rz", theta)
+        @ elementary("Tz", d)
+    )
 
 
-def from_standard(rows: ArrayLike, kinds: str, base: ArrayLike | None = None, tool: ArrayLike | None = None) -> Chain:
+def from_standard(
+    rows: ArrayLike, kinds: str, base: ArrayLike | None = None, tool: ArrayLike | None = None
+) -> Chain:
     """Chain of a standard Denavit-Hartenberg table with rows (n, 4): theta, d, a, alpha [rad, m].
 
     The theta (revolute) or d (prismatic) of a row is that joint's offset. Raises ChainError.
@@ -115,7 +129,9 @@ def from_standard(rows: ArrayLike, kinds: str, base: ArrayLike | None = None, to
     return Chain(np.concatenate([_transform("base", base)[None], links]), kinds)
 
 
-def from_modified(rows: ArrayLike, kinds: str, base: ArrayLike | None = None, tool: ArrayLike | None = None) -> Chain:
+def from_modified(
+    rows: ArrayLike, kinds: str, base: ArrayLike | None = None, tool: ArrayLike | None = None
+) -> Chain:
     """Chain of a modified Denavit-Hartenberg table with rows (n, 4): theta, d, a, alpha [rad, m].
 
     The theta (revolute) or d (prismatic) of a row is that joint's offset. Raises ChainError.
@@ -125,7 +141,9 @@ def from_modified(rows: ArrayLike, kinds: str, base: ArrayLike | None = None, to
     before = modified_transform(np.stack([zero, zero, numbers[:, 2], numbers[:, 3]], axis=-1))
     behind = modified_transform(np.stack([numbers[:, 0], numbers[:, 1], zero, zero], axis=-1))
     first = _transform("base", base) @ before[0]
-    return Chain(np.stack([first, *(behind[:-1] @ before[1:]), behind[-1] @ _transform("tool", tool)]), kinds)
+    return Chain(
+        np.stack([first, *(behind[:-1] @ before[1:]), behind[-1] @ _transform("tool", tool)]), kinds
+    )
 
 
 def from_frames(placements: ArrayLike, kinds: str, tool: ArrayLike | None = None) -> Chain:
@@ -170,7 +188,9 @@ def reals(name: str, values: ArrayLike) -> Array:
     try:
         array = np.asarray(values)
     except (ValueError, TypeError):
-        raise ChainError(f"{name} takes rows of equal length, got rows of different lengths") from None
+        raise ChainError(
+            f"{name} takes rows of equal length, got rows of different lengths"
+        ) from None
     if array.size and array.dtype.kind not in "iuf":
         raise ChainError(f"{name} takes real numbers, got values of type {array.dtype.name}")
     array = array.astype(np.float64)
@@ -182,7 +202,9 @@ def reals(name: str, values: ArrayLike) -> Array:
 def _table(rows: ArrayLike, kinds: str) -> Array:
     numbers = reals("rows", rows)
     if not kinds or numbers.shape != (len(kinds), 4):
-        raise ChainError(f"rows takes shape {(len(kinds), 4)} for kinds {kinds!r}, got {numbers.shape}")
+        raise ChainError(
+            f"rows takes shape {(len(kinds), 4)} for kinds {kinds!r}, got {numbers.shape}"
+        )
     return numbers
 
 
@@ -200,4 +222,6 @@ def _check_rigid(name: str, transform: Array) -> None:
     if (transform[3] != (0.0, 0.0, 0.0, 1.0)).any():
         raise ChainError(f"{name} takes the last row [0 0 0 1], got {transform[3].tolist()}")
     if np.abs(R.T @ R - np.eye(3)).max() > 1e-9 or np.linalg.det(R) < 0:
-        raise ChainError(f"{name} takes a right-handed rotation in its upper left corner, got another matrix")
+        raise ChainError(
+            f"{name} takes a right-handed rotation in its upper left corner, got another matrix"
+        )

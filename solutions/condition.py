@@ -1,12 +1,13 @@
 """Conditions: one equation, or several that hold at once, such as sin(q2) = 0 and sin(q3) = 0."""
 
-from collections.abc import Sequence
+import re
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from importlib import import_module
 from typing import Any
 
-from .expression import Expression
-from .tokens import ExpressionError
+from .expression import Expression, parse
+from .tokens import ExpressionError, refusing
 
 
 @dataclass(frozen=True)
@@ -17,7 +18,9 @@ class AllOf:
 
     def __post_init__(self) -> None:
         if len(self.equations) < 2:
-            raise ExpressionError(f"equations takes two or more that hold at once, got {len(self.equations)}")
+            raise ExpressionError(
+                f"equations takes two or more that hold at once, got {len(self.equations)}"
+            )
 
     def __str__(self) -> str:
         """Text that is read back, such as "sin(q2) = 0 and sin(q3) = 0"."""
@@ -38,6 +41,29 @@ def equations_of(condition: Condition) -> tuple[Expression, ...]:
     return condition.equations if isinstance(condition, AllOf) else (condition,)
 
 
+def read_conditions(text: object, names: Iterable[str]) -> list[Condition]:
+    """The conditions of a text as `condition_text` writes them: "sin(q2) = 0 and q3 = 0", several with "or" between.
+
+    The sides of an equation may be any formulas in `names`; without "=" it is the formula that is to be zero. What
+    students may type is more, and is read by the grader. Raises ExpressionError.
+    """
+    known = tuple(names)
+    with refusing(text, "a condition") as typed:
+        cases = re.split(r"\bor\b", typed)
+        return [
+            all_of([_equation(part, known) for part in re.split(r"\band\b", case)])
+            for case in cases
+        ]
+
+
+def _equation(text: str, names: tuple[str, ...]) -> Expression:
+    """Left side minus right side."""
+    left, _, right = text.partition("=")
+    if right.strip() in ("", "0"):
+        return parse(left, names)
+    return parse(f"({left}) - ({right})", names)
+
+
 def condition_text(condition: Condition) -> str:
     """The condition as a student may type it: "sin(q2) = 0", or equations with "and" between them."""
     return str(condition) if isinstance(condition, AllOf) else f"{condition} = 0"
@@ -46,5 +72,7 @@ def condition_text(condition: Condition) -> str:
 def condition_sympy(condition: Condition) -> Any:
     """The condition as sympy prints it: an Eq with zero, or And of several."""
     sympy: Any = import_module("sympy")
-    equations = [sympy.Eq(expression.sympy(), 0, evaluate=False) for expression in equations_of(condition)]
+    equations = [
+        sympy.Eq(expression.sympy(), 0, evaluate=False) for expression in equations_of(condition)
+    ]
     return equations[0] if len(equations) == 1 else sympy.And(*equations, evaluate=False)

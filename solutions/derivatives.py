@@ -19,7 +19,9 @@ def jacobian_dot(chain: Chain, q: ArrayLike, qdot: ArrayLike, frame: Frame = "ba
     try:
         weighted = J * rates[..., None, :]
     except ValueError:
-        raise ChainError(f"qdot takes as many rows as q, {J.shape[:-2]}, got {rates.shape[:-1]}") from None
+        raise ChainError(
+            f"qdot takes as many rows as q, {J.shape[:-2]}, got {rates.shape[:-1]}"
+        ) from None
     # joints 1 ... i carry column i along with W, those beyond i move the tool alone, with V
     W = np.cumsum(weighted[..., 3:, :], axis=-1)
     V = weighted[..., :3, :].sum(axis=-1, keepdims=True) - np.cumsum(weighted[..., :3, :], axis=-1)
@@ -28,7 +30,9 @@ def jacobian_dot(chain: Chain, q: ArrayLike, qdot: ArrayLike, frame: Frame = "ba
     if frame == "base":
         return np.concatenate([linear, angular], axis=-2)
     R, omega = forward(chain, q)[..., :3, :3], W[..., -1:]
-    return np.concatenate([R.mT @ (linear - _cross(omega, v)), R.mT @ (angular - _cross(omega, w))], axis=-2)
+    return np.concatenate(
+        [R.mT @ (linear - _cross(omega, v)), R.mT @ (angular - _cross(omega, w))], axis=-2
+    )
 
 
 def hessian(chain: Chain, q: ArrayLike, frame: Frame = "base") -> Array:
@@ -63,5 +67,8 @@ def _cross(a: Array, b: Array) -> Array:
 
 
 def _check_frame(frame: object) -> None:
-    if not isinstance(frame, str) or frame not in ("base", "tool"):  # for axes that stand still: `in_axes`
+    if not isinstance(frame, str) or frame not in (
+        "base",
+        "tool",
+    ):  # for axes that stand still: `in_axes`
         raise ChainError(f"frame takes 'base' or 'tool', got {frame!r}")

@@ -11,11 +11,11 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
-from .block import task_columns
+from .closed_forms.block import task_columns
+from .closed_forms.half_angles import HalfAngles
+from .closed_forms.polynomial import ONE, ZERO, Polynomial, reduced
 from .errors import KinegradeError
 from .expression import parse
-from .half_angles import HalfAngles
-from .polynomial import ONE, ZERO, Polynomial, reduced
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -52,7 +52,11 @@ def determinant(robot: Robot) -> Determinant:
             f"determinant takes a robot with a square task block, got {robot.name} with {len(robot.task_rows)} rows "
             f"and {robot.n} joints"
         )
-    angles = [sp.Symbol(q, real=True) for q, kind in zip(robot.joints, robot.kinds, strict=True) if kind == "R"]
+    angles = [
+        sp.Symbol(q, real=True)
+        for q, kind in zip(robot.joints, robot.kinds, strict=True)
+        if kind == "R"
+    ]
     half = HalfAngles(angles)
     content, left = sp.S.One, Counter[Any]()
     for block in task_columns(robot):
@@ -86,7 +90,9 @@ def expanded(block: Sequence[Sequence[Polynomial]]) -> Polynomial:
         for (taken, minor), (column, entry) in product(minors.items(), enumerate(row)):
             if taken >> column & 1 or not entry.terms:
                 continue
-            odd = (taken >> column).bit_count() % 2  # columns to the right that an earlier row has taken
+            odd = (
+                taken >> column
+            ).bit_count() % 2  # columns to the right that an earlier row has taken
             term = reduced(entry * minor)
             key = taken | 1 << column
             longer[key] = longer.get(key, ZERO) + (-term if odd else term)

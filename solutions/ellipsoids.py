@@ -64,7 +64,9 @@ def lost_directions(block: ArrayLike, tolerance: float = RANK_TOLERANCE) -> Valu
     """
     matrix = np.asarray(block, dtype=np.float64)
     if matrix.ndim != 2:
-        raise SingularityError(f"lost_directions takes one block of shape (m, n), got shape {matrix.shape}")
+        raise SingularityError(
+            f"lost_directions takes one block of shape (m, n), got shape {matrix.shape}"
+        )
     U, _ = _axes(matrix)
     return U[:, int(rank(matrix, tolerance)) :].T
 

@@ -28,7 +28,11 @@ BINARY: dict[str, Callable[[Any, Any], Any]] = {
 CALLED = {**dict.fromkeys(FUNCTIONS, 1), "atan2": 2}  # functions and how many arguments they take
 AS_PRINTED = {"Abs": "abs"}  # functions that sympy prints under another name
 DEPTH, EXPONENT = 40, 20
-MISSING = {"(": "", ")": "a closing bracket is missing", ",": "a comma and another argument are missing"}
+MISSING = {
+    "(": "",
+    ")": "a closing bracket is missing",
+    ",": "a comma and another argument are missing",
+}
 BINDING = {"+": 10, "-": 10, "*": 20, "/": 20, "neg": 30, "^": 40}
 
 
@@ -46,7 +50,9 @@ class Expression:
             known = len(arguments) == size if size else _is_leaf(node)
             arguments = arguments if size else []
             if not known or open_nodes[len(open_nodes) - len(arguments) :] != arguments:
-                raise ExpressionError(f"nodes takes a tree in post-order, got {node!r} at place {i}")
+                raise ExpressionError(
+                    f"nodes takes a tree in post-order, got {node!r} at place {i}"
+                )
             open_nodes[len(open_nodes) - len(arguments) :] = [i]
         if len(open_nodes) != 1:
             raise ExpressionError(f"nodes takes one tree in post-order, got {len(open_nodes)}")
@@ -63,7 +69,9 @@ class Expression:
         name has no value.
         """
         if missing := sorted(self.names - set(values)):
-            raise ExpressionError(f"values takes {', '.join(missing)}, got only {', '.join(sorted(values)) or 'none'}")
+            raise ExpressionError(
+                f"values takes {', '.join(missing)}, got only {', '.join(sorted(values)) or 'none'}"
+            )
         results = list[Any]()
         with np.errstate(all="ignore"):
             for node in self.nodes:
@@ -84,9 +92,13 @@ class Expression:
             if kind == "s":
                 results.append(sympy.Symbol(content[0], real=True))
             elif kind == "n":
-                results.append(sympy.pi if content[0] == math.pi else sympy.Rational(repr(content[0])))
+                results.append(
+                    sympy.pi if content[0] == math.pi else sympy.Rational(repr(content[0]))
+                )
             else:
-                operation = getattr(operator, PLAIN[kind]) if kind in PLAIN else getattr(sympy, kind)
+                operation = (
+                    getattr(operator, PLAIN[kind]) if kind in PLAIN else getattr(sympy, kind)
+                )
                 results.append(operation(*(results[i] for i in content)))
         return results[-1]
 
@@ -149,14 +161,18 @@ class _Parser:
         token = self.next
         if expected and token.text != expected:
             before = self.tokens[self.place - 1].kind if self.place else ""
-            raise ExpressionError(MISSING[expected] if token.kind == "end" else _leftover(token, before), token.offset)
+            raise ExpressionError(
+                MISSING[expected] if token.kind == "end" else _leftover(token, before), token.offset
+            )
         self.place += token.kind != "end"
         return token
 
     def whole(self) -> Expression:
         self.operand(0, 0)
         if self.next.kind != "end":
-            raise ExpressionError(_leftover(self.next, self.tokens[self.place - 1].kind), self.next.offset)
+            raise ExpressionError(
+                _leftover(self.next, self.tokens[self.place - 1].kind), self.next.offset
+            )
         return Expression(tuple(self.nodes))
 
     def operand(self, binding: int, depth: int) -> int:
@@ -166,7 +182,9 @@ class _Parser:
         left = self.prefix(depth)
         while self.next.kind == "sign" and BINDING.get(self.next.text, 0) > binding:
             _, sign, offset, _ = self.take()
-            right = self.operand(BINDING[sign] - (sign == "^"), depth + 1)  # powers group from the right
+            right = self.operand(
+                BINDING[sign] - (sign == "^"), depth + 1
+            )  # powers group from the right
             left = self.node(offset, sign, left, right)
         return left
 
@@ -184,7 +202,9 @@ class _Parser:
             inside = self.operand(BINDING["neg"], depth + 1)
             return self.node(offset, "neg", inside) if text == "-" else inside
         if kind == "end":
-            raise ExpressionError("the formula stops where a number, a name or a bracket is expected", offset)
+            raise ExpressionError(
+                "the formula stops where a number, a name or a bracket is expected", offset
+            )
         raise ExpressionError(f"a number, a name or a bracket is expected, got '{text}'", offset)
 
     def named(self, name: str, offset: int, depth: int) -> int:
@@ -199,18 +219,24 @@ class _Parser:
         known = list(CALLED) if called else [*sorted(self.names), "pi"]
         nearest = difflib.get_close_matches(name[:40], known, 1, cutoff=0.5)
         hint = f"did you mean {nearest[0]}?" if nearest else f"known: {', '.join(known)}"
-        raise ExpressionError(f"unknown {'function' if called else 'name'} '{name[:40]}'; {hint}", offset)
+        raise ExpressionError(
+            f"unknown {'function' if called else 'name'} '{name[:40]}'; {hint}", offset
+        )
 
     def arguments(self, name: str, depth: int) -> list[int]:
         many, opening = CALLED[name], self.next
         if opening.text != "(":
             takes, shown = ("its argument", "x") if many == 1 else ("two arguments", "y, x")
-            raise ExpressionError(f"{name} takes {takes} in brackets, as in {name}({shown})", opening.offset)
+            raise ExpressionError(
+                f"{name} takes {takes} in brackets, as in {name}({shown})", opening.offset
+            )
         self.take("(")
         found = [self.operand(0, depth + 1)]
         while len(found) < many:
             if self.next.text == ")":
-                raise ExpressionError(f"{name} takes {many} arguments, got {len(found)}", self.next.offset)
+                raise ExpressionError(
+                    f"{name} takes {many} arguments, got {len(found)}", self.next.offset
+                )
             self.take(",")
             found.append(self.operand(0, depth + 1))
         self.take(")")
@@ -239,7 +265,9 @@ class _Parser:
         if exponent is None:
             raise ExpressionError("an exponent takes a number, got a formula with names", offset)
         if abs(exponent) * power > EXPONENT:
-            raise ExpressionError(f"an exponent takes a number between -{EXPONENT} and {EXPONENT}", offset)
+            raise ExpressionError(
+                f"an exponent takes a number between -{EXPONENT} and {EXPONENT}", offset
+            )
         return max(1.0, abs(exponent)) * power
 
 
@@ -262,13 +290,18 @@ def _constant(operation: str, values: list[Any], offset: int) -> float:
         raise ExpressionError("this has no real value", offset)
     if abs(value) > SIZE:
         raise ExpressionError(
-            "this is not a finite number" if math.isinf(value) else "this number is too large", offset
+            "this is not a finite number" if math.isinf(value) else "this number is too large",
+            offset,
         )
     return value
 
 
 def _apply(operation: str, values: list[Any]) -> Any:
-    return UNARY[operation](*values) if operation in UNARY else BINARY[operation](*map(np.float64, values))
+    return (
+        UNARY[operation](*values)
+        if operation in UNARY
+        else BINARY[operation](*map(np.float64, values))
+    )
 
 
 def _leftover(token: Token, before: str) -> str:
@@ -322,5 +355,8 @@ def _printed(operation: str, arguments: list[tuple[str, int]]) -> tuple[str, int
         return f"{inside(0, binding + 1)}^{inside(1, binding)}", binding
     space = " " if operation in "+-" else ""
     # a sign in front binds tighter than + and *, but reads better in brackets on the right
-    left, right = inside(0, binding), inside(1, BINDING["^"] if arguments[1][0].startswith("-") else binding + 1)
+    left, right = (
+        inside(0, binding),
+        inside(1, BINDING["^"] if arguments[1][0].startswith("-") else binding + 1),
+    )
     return f"{left}{space}{operation}{space}{right}", binding

@@ -75,10 +75,14 @@ def expression_array(nested: Any, names: Iterable[str]) -> ExpressionArray:
     flat: list[Any] = [nested]
     for _ in shape:
         flat = [entry for row in flat for entry in row]
-    return ExpressionArray(tuple(e if isinstance(e, Expression) else parse(str(e), known) for e in flat), shape)
+    return ExpressionArray(
+        tuple(e if isinstance(e, Expression) else parse(str(e), known) for e in flat), shape
+    )
 
 
-def same_formulas(a: ExpressionArray, b: ExpressionArray, names: Sequence[str]) -> NDArray[np.bool_]:
+def same_formulas(
+    a: ExpressionArray, b: ExpressionArray, names: Sequence[str]
+) -> NDArray[np.bool_]:
     """Which entries of two arrays of one shape agree at sixteen points, to 1e-9 of their size.
 
     The first eight are the same for everybody; the others follow from what was typed, so that no formula can be made
@@ -114,7 +118,9 @@ def sample(names: Sequence[str], count: int, start: float = 0.0) -> dict[str, ND
     `start` moves them on.
     """
     steps = np.arange(1, count + 1)
-    roots = (math.sqrt(p) for p in range(2, 10_000) if all(p % d for d in range(2, math.isqrt(p) + 1)))
+    roots = (
+        math.sqrt(p) for p in range(2, 10_000) if all(p % d for d in range(2, math.isqrt(p) + 1))
+    )
     values: dict[str, NDArray[np.float64]] = {}
     for name, root in zip(sorted(names), roots, strict=False):
         fraction = np.asarray(((steps + start) * root) % 1.0, dtype=np.float64)
@@ -130,5 +136,7 @@ def _shape(nested: Any, depth: int = 2) -> tuple[int, ...]:
         raise ExpressionArrayError(f"formulas take a vector or a matrix, got {str(rows)[:60]}")
     shapes = {_shape(row, depth - 1) for row in rows}
     if len(shapes) > 1:
-        raise ExpressionArrayError("formulas take rows of one length, got rows of different lengths")
+        raise ExpressionArrayError(
+            "formulas take rows of one length, got rows of different lengths"
+        )
     return (len(rows), *shapes.pop())

@@ -18,7 +18,9 @@ from .limits import are_outside
 from .rotation import rotation_vector, rotations
 from .velocity import chosen_rows, damped_inverse
 
-STATIONARY = 1e-7  # slope of the error, per unit of it: below, what a step gains is lost in rounding
+STATIONARY = (
+    1e-7  # slope of the error, per unit of it: below, what a step gains is lost in rounding
+)
 WORTH = 1e-4  # share of the predicted gain that a step has to bring
 STIFFEST = 1e8  # weight of the damping at which even a tiny step brings nothing
 
@@ -99,10 +101,14 @@ class _Problem:
     def sizes(self, error: Array) -> tuple[float, float]:
         """Errors in position [m] and rotation [rad]."""
         linear = self.rows < 3
-        return float(np.linalg.norm(error[linear])) * self.length, float(np.linalg.norm(error[~linear]))
+        return float(np.linalg.norm(error[linear])) * self.length, float(
+            np.linalg.norm(error[~linear])
+        )
 
     def is_met(self, error: Array) -> bool:
-        return all(size <= limit for size, limit in zip(self.sizes(error), self.tolerances, strict=True))
+        return all(
+            size <= limit for size, limit in zip(self.sizes(error), self.tolerances, strict=True)
+        )
 
     def blocked(self, q: Array, slope: Array) -> NDArray[np.bool_]:
         """Joints at a limit that would have to pass it to come closer."""
@@ -152,13 +158,19 @@ def inverse_kinematics(
     wanted = _pose(target)
     length = _length(chain, wanted, q, np.concatenate([low, high]))
     tolerance = 1e-9 * length if position_tolerance is None else position_tolerance
-    numbers = {"position_tolerance": tolerance, "rotation_tolerance": rotation_tolerance, "longest_step": longest_step}
+    numbers = {
+        "position_tolerance": tolerance,
+        "rotation_tolerance": rotation_tolerance,
+        "longest_step": longest_step,
+    }
     for name, value in numbers.items():
         if not isinstance(value, Real) or not 0 < value < math.inf:
             raise ChainError(f"{name} takes a finite number above 0, got {value!r}")
     if not isinstance(iterations, Integral) or iterations < 0:
         raise ChainError(f"iterations takes a whole number from 0, got {iterations!r}")
-    problem = _Problem(chain, wanted, chosen_rows(rows), low, high, length, (tolerance, rotation_tolerance))
+    problem = _Problem(
+        chain, wanted, chosen_rows(rows), low, high, length, (tolerance, rotation_tolerance)
+    )
     return _descend(problem, q, longest_step, iterations)
 
 
@@ -174,7 +186,9 @@ def displacement(reached: ArrayLike, desired: ArrayLike) -> Array:
     try:
         np.broadcast_shapes(a.shape, b.shape)
     except ValueError:
-        raise ChainError(f"desired takes a batch that fits {a.shape[:-2]}, got {b.shape[:-2]}") from None
+        raise ChainError(
+            f"desired takes a batch that fits {a.shape[:-2]}, got {b.shape[:-2]}"
+        ) from None
     dw = rotation_vector(b[..., :3, :3] @ a[..., :3, :3].mT)
     dp = np.broadcast_to(b[..., :3, 3] - a[..., :3, 3], dw.shape)
     return np.concatenate([dp, dw], axis=-1)
@@ -193,7 +207,9 @@ def _descend(problem: _Problem, q: Array, longest: float, iterations: int) -> So
         if np.linalg.norm(slope[free]) <= STATIONARY * size:
             beyond = _past_the_saddle(problem, q, J, error, np.where(free, longest, 0.0))
             if beyond is None:
-                return _solution(problem, q, "local minimum" if free.all() else "joint limits", tried)
+                return _solution(
+                    problem, q, "local minimum" if free.all() else "joint limits", tried
+                )
             if tried == iterations:
                 break
             q, error = beyond
@@ -212,7 +228,13 @@ def _descend(problem: _Problem, q: Array, longest: float, iterations: int) -> So
 
 
 def _step(
-    problem: _Problem, q: Array, J: Array, error: Array, free: NDArray[np.bool_], damping: float, longest: float
+    problem: _Problem,
+    q: Array,
+    J: Array,
+    error: Array,
+    free: NDArray[np.bool_],
+    damping: float,
+    longest: float,
 ) -> Array:
     """Damped step; joints that it would carry past a limit stop there, and the others make up for them."""
     lowest, highest = (problem.low - q) / problem.units, (problem.high - q) / problem.units
@@ -229,14 +251,18 @@ def _step(
     return np.clip(step, -longest, longest)
 
 
-def _past_the_saddle(problem: _Problem, q: Array, J: Array, error: Array, longest: Array) -> tuple[Array, Array] | None:
+def _past_the_saddle(
+    problem: _Problem, q: Array, J: Array, error: Array, longest: Array
+) -> tuple[Array, Array] | None:
     """A way on where the error has no slope but bends down, as for an arm stretched away from its goal."""
     reach = np.diag(longest)
     curvatures, directions = np.linalg.eigh(reach @ problem.curvature(q, J, error) @ reach)
     if curvatures[0] >= 0:
         return None
     for share in (1.0, -1.0, 0.1, -0.1, 0.01, -0.01):
-        trial = np.clip(q + share * (reach @ directions[:, 0]) * problem.units, problem.low, problem.high)
+        trial = np.clip(
+            q + share * (reach @ directions[:, 0]) * problem.units, problem.low, problem.high
+        )
         missing = problem.error(trial)
         if missing @ missing < (1 - 1e-9) * (error @ error):
             return trial, missing
@@ -245,7 +271,11 @@ def _past_the_saddle(problem: _Problem, q: Array, J: Array, error: Array, longes
 
 def _solution(problem: _Problem, q: Array, stopped: Stop, tried: int) -> Solution:
     error = problem.error(q)
-    held = problem.blocked(q, problem.jacobian(q).T @ error) if stopped != "converged" else np.zeros(len(q), dtype=bool)
+    held = (
+        problem.blocked(q, problem.jacobian(q).T @ error)
+        if stopped != "converged"
+        else np.zeros(len(q), dtype=bool)
+    )
     joints = tuple(int(i) + 1 for i in np.flatnonzero(held))
     q.flags.writeable = False
     return Solution(q, stopped, tried, *problem.sizes(error), joints)
@@ -259,7 +289,9 @@ def _limits(limits: ArrayLike | None, start: Array) -> tuple[Array, Array]:
     except (TypeError, ValueError):
         raise ChainError(f"limits takes pairs of numbers, got {limits!r}") from None
     if pairs.shape != (len(start), 2) or not (pairs[:, 0] <= pairs[:, 1]).all():
-        raise ChainError(f"limits takes {len(start)} pairs of a lowest and a highest value, got {pairs.tolist()}")
+        raise ChainError(
+            f"limits takes {len(start)} pairs of a lowest and a highest value, got {pairs.tolist()}"
+        )
     low, high = pairs.T
     beyond = np.flatnonzero(are_outside(pairs, start))
     if beyond.size:

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .chain import Array, Chain, ChainError, configuration, reals
-from .emit import evaluate, plain
+from .program.emit import evaluate, plain
 from .rotation import rotations
 
 Frame = Literal["base", "tool"]
@@ -20,7 +20,12 @@ Point = Literal["origin"] | ArrayLike  # points (..., 3) in base coordinates
 
 
 def jacobian(
-    chain: Chain, q: ArrayLike, frame: Axes = "base", out: Array | None = None, *, point: Point | None = None
+    chain: Chain,
+    q: ArrayLike,
+    frame: Axes = "base",
+    out: Array | None = None,
+    *,
+    point: Point | None = None,
 ) -> Array:
     """Jacobians (..., 6, n) at q (..., n): xi = J qdot, linear rows above angular.
 
@@ -81,8 +86,14 @@ def last_frame_columns(transforms: ArrayLike, kinds: str) -> Array:
     """
     T = np.asarray(transforms, dtype=np.float64)
     if T.shape != (len(kinds), 4, 4) or set(kinds) - {"R", "P"}:
-        raise ChainError(f"transforms takes shape {(len(kinds), 4, 4)} for kinds {kinds!r}, got {T.shape}")
-    x, y, z = T[:, 0, :3], T[:, 1, :3], T[:, 2, :3]  # rows of the rotation: (n_x, o_x, a_x) and so on
+        raise ChainError(
+            f"transforms takes shape {(len(kinds), 4, 4)} for kinds {kinds!r}, got {T.shape}"
+        )
+    x, y, z = (
+        T[:, 0, :3],
+        T[:, 1, :3],
+        T[:, 2, :3],
+    )  # rows of the rotation: (n_x, o_x, a_x) and so on
     p = T[:, :3, 3, None]
     revolute = np.concatenate([-x * p[:, 1] + y * p[:, 0], z], axis=1)
     prismatic = np.concatenate([z, np.zeros_like(z)], axis=1)
@@ -140,7 +151,9 @@ def _check_out(shape: tuple[int, ...], out: object) -> None:
         found = "a read-only one"
     else:
         return
-    raise ChainError(f"out takes a writable, C-contiguous array, float64 of shape {shape}, got {found}")
+    raise ChainError(
+        f"out takes a writable, C-contiguous array, float64 of shape {shape}, got {found}"
+    )
 
 
 def _copied(J: Array, out: Array) -> Array:

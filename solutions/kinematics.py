@@ -3,7 +3,7 @@
 from numpy.typing import ArrayLike
 
 from .chain import Array, Chain, configuration
-from .emit import evaluate, plain
+from .program.emit import evaluate, plain
 
 
 def forward(chain: Chain, q: ArrayLike) -> Array:

@@ -21,7 +21,12 @@ if TYPE_CHECKING:
 
 Step = tuple[str, str]  # a motion and its amount: ("Tz", "L"), ("Rz", "q1")
 LINEAR = (0, 1, 2)
-STANDARD = (("Rz", 0), ("Tz", 1), ("Tx", 2), ("Rx", 3))  # motions of one row and the columns of their amounts
+STANDARD = (
+    ("Rz", 0),
+    ("Tz", 1),
+    ("Tx", 2),
+    ("Rx", 3),
+)  # motions of one row and the columns of their amounts
 MODIFIED = (("Rx", 3), ("Tx", 2), ("Rz", 0), ("Tz", 1))
 
 
@@ -89,8 +94,12 @@ class Robot:
     def determinant(self) -> str:
         """Determinant of the task block, the constant in front of its factors; RobotError if there are none."""
         if not self.factors:
-            raise RobotError(f"determinant takes a robot with a factored task block, got {self.name} without factors")
-        products = (f"({f.expression})" + (f"^{f.power}" if f.power != 1 else "") for f in self.factors)
+            raise RobotError(
+                f"determinant takes a robot with a factored task block, got {self.name} without factors"
+            )
+        products = (
+            f"({f.expression})" + (f"^{f.power}" if f.power != 1 else "") for f in self.factors
+        )
         return "*".join([*([self.constant] if self.constant != "1" else []), *products])
 
     def pose(self, name: str) -> Array:
@@ -110,15 +119,22 @@ class Robot:
             raise RobotError(
                 f"table takes a robot with a Denavit-Hartenberg table, got {self.name} with hand-placed frames"
             )
-        return read_table([[str(cell) for cell in row] for row in self.rows], self.names, self.convention)
+        return read_table(
+            [[str(cell) for cell in row] for row in self.rows], self.names, self.convention
+        )
 
     @cached_property
     def steps(self) -> tuple[tuple[tuple[str, Expression], ...], ...]:
         """Elementary motions of each row, in order, in every convention."""
         if self.convention == "frames":
-            return tuple(self._motions([(str(motion), str(amount)) for motion, amount in row]) for row in self.rows)
+            return tuple(
+                self._motions([(str(motion), str(amount)) for motion, amount in row])
+                for row in self.rows
+            )
         order = STANDARD if self.convention == "standard" else MODIFIED
-        return tuple(tuple((motion, row[column]) for motion, column in order) for row in self.table.rows)
+        return tuple(
+            tuple((motion, row[column]) for motion, column in order) for row in self.table.rows
+        )
 
     @cached_property
     def base_steps(self) -> tuple[tuple[str, Expression], ...]:
@@ -148,7 +164,9 @@ class Robot:
         for steps in self.steps:
             reached.append(reached[-1] @ _transform(steps, values))
         tool = reached[-1] @ _transform(self.tool_steps, values)
-        return np.stack([*(reached[:-1] if self.convention == "standard" else reached[1:]), tool], axis=-3)
+        return np.stack(
+            [*(reached[:-1] if self.convention == "standard" else reached[1:]), tool], axis=-3
+        )
 
     def values(self, parameters: Mapping[str, float] | None = None) -> dict[str, float]:
         """Values of all parameters [m], the given ones over the defaults. RobotError for an unknown one."""
@@ -156,8 +174,13 @@ class Robot:
             if name not in self.parameters:
                 raise RobotError(unknown(f"parameters of {self.name}", name, self.parameters))
             if not _is_finite(value):
-                raise RobotError(f"parameter {name} of {self.name} takes a finite number, got {value!r}")
-        return {**self.parameters, **{name: float(value) for name, value in (parameters or {}).items()}}
+                raise RobotError(
+                    f"parameter {name} of {self.name} takes a finite number, got {value!r}"
+                )
+        return {
+            **self.parameters,
+            **{name: float(value) for name, value in (parameters or {}).items()},
+        }
 
     def symbolic(self) -> "ClosedForm":
         """Closed forms of frames and Jacobian in sympy, made once."""
@@ -177,11 +200,14 @@ class Robot:
         base, tool = _transform(self.base_steps, values), _transform(self.tool_steps, values)
         if self.convention != "frames":
             chain = self.table.chain(values, tool)
-            return Chain(np.concatenate([(base @ chain.fixed[0])[None], chain.fixed[1:]]), chain.kinds)
+            return Chain(
+                np.concatenate([(base @ chain.fixed[0])[None], chain.fixed[1:]]), chain.kinds
+            )
         home = {**values, **dict.fromkeys(self.joints, 0.0)}
         offsets = [base, *(_transform(steps[-1:], home) for steps in self.steps)]
         placements = [
-            offset @ _transform(steps[:-1], values) for offset, steps in zip(offsets, self.steps, strict=False)
+            offset @ _transform(steps[:-1], values)
+            for offset, steps in zip(offsets, self.steps, strict=False)
         ]
         return from_frames(np.array(placements), self.kinds, offsets[-1] @ tool)
 

@@ -67,7 +67,10 @@ POSITIONING = (
             "S0, section 4.3.1, with its lengths and its configuration; frames placed so that the printed points come "
             "out (figure 4.1 is missing); limits chosen here"
         ),
-        factors=(Factor(ELBOW, "cos(q3)"), Factor("shoulder: tip on axis 1", "a3*cos(q2 + q3) - a2*sin(q2)")),
+        factors=(
+            Factor(ELBOW, "cos(q3)"),
+            Factor("shoulder: tip on axis 1", "a3*cos(q2 + q3) - a2*sin(q2)"),
+        ),
         constant="a2*a3",
         poses={"example": (0.0, -math.pi / 6, math.pi / 6)},
     ),
@@ -120,7 +123,12 @@ POSITIONING = (
         name="scara",
         title="SCARA",
         parameters={"a1": 0.325, "a2": 0.275, "d4": 0.05},
-        rows=(("q1", "0", "a1", "0"), ("q2", "0", "a2", "pi"), ("0", "q3", "0", "0"), ("q4", "d4", "0", "0")),
+        rows=(
+            ("q1", "0", "a1", "0"),
+            ("q2", "0", "a2", "pi"),
+            ("0", "q3", "0", "0"),
+            ("q4", "d4", "0", "0"),
+        ),
         limits=(*_degrees(TURN, (-150, 150)), (0.05, 0.25), *_degrees(TURN)),
         source="Spong, Hutchinson and Vidyasagar, the SCARA manipulator; lengths and limits chosen here",
         task_rows=(0, 1, 2, 5),
@@ -193,7 +201,9 @@ WRISTED = (
         factors=(
             Factor("wrist: axis 6 parallel to axes 2, 3 and 4", "sin(q5)"),
             Factor(ELBOW, "sin(q3)"),
-            Factor("shoulder: hand on axis 1", "a2*cos(q2) + a3*cos(q2 + q3) + a4*cos(q2 + q3 + q4)"),
+            Factor(
+                "shoulder: hand on axis 1", "a2*cos(q2) + a3*cos(q2 + q3) + a4*cos(q2 + q3 + q4)"
+            ),
         ),
         constant="a2*a3",
     ),
@@ -236,7 +246,14 @@ WRISTED = (
     Robot(
         name="ur5",
         title="Universal Robots UR5",
-        parameters={"d1": 0.089459, "a2": -0.425, "a3": -0.39225, "d4": 0.10915, "d5": 0.09465, "d6": 0.0823},
+        parameters={
+            "d1": 0.089459,
+            "a2": -0.425,
+            "a3": -0.39225,
+            "d4": 0.10915,
+            "d5": 0.09465,
+            "d6": 0.0823,
+        },
         rows=(
             ("q1", "d1", "0", "pi/2"),
             ("q2", "0", "a2", "0"),
@@ -260,12 +277,23 @@ WRISTED = (
             ),
         ),
         constant="a2*a3",
-        poses={"qz": (0.0, 0.0, 0.0, 0.0, 0.0, 0.0), "qr": (math.pi, 0.0, 0.0, 0.0, math.pi / 2, 0.0)},
+        poses={
+            "qz": (0.0, 0.0, 0.0, 0.0, 0.0, 0.0),
+            "qr": (math.pi, 0.0, 0.0, 0.0, math.pi / 2, 0.0),
+        },
     ),
     Robot(
         name="panda",
         title="Franka Emika Panda",
-        parameters={"d1": 0.333, "d3": 0.316, "a4": 0.0825, "d5": 0.384, "a7": 0.088, "d7": 0.107, "h": 0.103},
+        parameters={
+            "d1": 0.333,
+            "d3": 0.316,
+            "a4": 0.0825,
+            "d5": 0.384,
+            "a7": 0.088,
+            "d7": 0.107,
+            "h": 0.103,
+        },
         rows=(
             ("q1", "d1", "0", "0"),
             ("q2", "0", "0", "-pi/2"),

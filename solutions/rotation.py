@@ -49,4 +49,6 @@ def vector_rotation(vector: ArrayLike) -> Array:
     angle = np.linalg.norm(w, axis=-1)[..., None, None]
     W = np.cross(w[..., None, :], np.eye(3)).mT
     # sinc(x) is sin(pi x) / (pi x); both quotients are right at angle 0
-    return np.eye(3) + np.sinc(angle / np.pi) * W + 0.5 * np.sinc(angle / (2 * np.pi)) ** 2 * (W @ W)
+    return (
+        np.eye(3) + np.sinc(angle / np.pi) * W + 0.5 * np.sinc(angle / (2 * np.pi)) ** 2 * (W @ W)
+    )

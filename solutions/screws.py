@@ -23,7 +23,9 @@ def from_screws(screws: ArrayLike, home: ArrayLike, kinds: str | None = None) ->
         raise ChainError(f"screws takes shape (n, 6), got {rows.shape}")
     found = "".join("P" if np.linalg.norm(row[3:]) < UNIT else "R" for row in rows)
     if kinds is not None and kinds != found:
-        raise ChainError(f"kinds takes {found!r}, as w = 0 in a prismatic screw only, got {kinds!r}")
+        raise ChainError(
+            f"kinds takes {found!r}, as w = 0 in a prismatic screw only, got {kinds!r}"
+        )
     tool = reals("home", home)
     if tool.shape != (4, 4):
         raise ChainError(f"home takes shape (4, 4), got {tool.shape}")
@@ -41,7 +43,9 @@ def screws(chain: Chain) -> tuple[Array, Array]:
     zero = np.zeros(chain.n)
     home = forward(chain, zero)
     twists = jacobian(chain, zero).T.copy()
-    twists[:, :3] += np.cross(home[:3, 3], twists[:, 3:])  # from the tool's velocity to that of the base origin
+    twists[:, :3] += np.cross(
+        home[:3, 3], twists[:, 3:]
+    )  # from the tool's velocity to that of the base origin
     return twists, home
 
 
@@ -51,12 +55,18 @@ def _axis(i: int, screw: Array, near: Array, rotation: Array) -> Array:
     prismatic = np.linalg.norm(w) < UNIT
     size = float(np.linalg.norm(v if prismatic else w))
     if abs(size - 1) > UNIT:
-        what = "v of length 1 where w = 0" if prismatic else "w of length 1, or w = 0 for a prismatic joint"
+        what = (
+            "v of length 1 where w = 0"
+            if prismatic
+            else "w of length 1, or w = 0 for a prismatic joint"
+        )
         raise ChainError(f"screw {i + 1} takes {what}, got length {size:.6g}")
     if prismatic:
         return along(v / size, near, rotation)
     z = w / size
     if abs(float(v @ z)) > UNIT * max(1.0, float(np.linalg.norm(v))):
-        raise ChainError(f"screw {i + 1} takes v normal to w, as the joint has no pitch, got pitch {float(v @ z):.6g}")
+        raise ChainError(
+            f"screw {i + 1} takes v normal to w, as the joint has no pitch, got pitch {float(v @ z):.6g}"
+        )
     foot = np.cross(z, v)
     return along(z, foot + z * (z @ (near - foot)), rotation)

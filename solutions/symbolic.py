@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
-from .polynomial import ONE, ZERO, Polynomial, polynomial, total
+from .closed_forms.polynomial import ONE, ZERO, Polynomial, polynomial, total
 
 if TYPE_CHECKING:
     from collections.abc import Collection, Sequence
@@ -59,9 +59,14 @@ class Turning:
         axis = "xyz".index(motion[1])
         if motion[0] == "T":
             length = polynomial(amount)
-            self.p = tuple(x + row[axis] * length for x, row in zip(self.p, self.rotation, strict=True))
+            self.p = tuple(
+                x + row[axis] * length for x, row in zip(self.p, self.rotation, strict=True)
+            )
         elif motion[1] == "z":
-            turning = sum((term for term in sp.Add.make_args(amount) if term.free_symbols & self.joints), sp.S.Zero)
+            turning = sum(
+                (term for term in sp.Add.make_args(amount) if term.free_symbols & self.joints),
+                sp.S.Zero,
+            )
             if amount != turning:
                 self.base = times(self.base, rotation("z", amount - turning))
             self.angle += turning
@@ -116,7 +121,9 @@ def shorthand(expression: Any) -> Any:
         indices = [_joint_index(term) for term in sp.Add.make_args(function.args[0])]
         if all(indices):
             letter = "c" if isinstance(function, sp.cos) else "s"
-            replaced[function] = sp.Symbol(f"{letter}_{''.join(sorted(indices, key=int))}", real=True)
+            replaced[function] = sp.Symbol(
+                f"{letter}_{''.join(sorted(indices, key=int))}", real=True
+            )
     return expression.xreplace(replaced)
 
 
@@ -124,13 +131,19 @@ def times(left: Rows, right: Rows) -> Rows:
     """Product of two rotations."""
     columns = tuple(zip(*right, strict=True))
     return tuple(
-        tuple(total(a * b for a, b in zip(row, column, strict=True) if a.terms and b.terms) for column in columns)
+        tuple(
+            total(a * b for a, b in zip(row, column, strict=True) if a.terms and b.terms)
+            for column in columns
+        )
         for row in left
     )
 
 
 def _frame(R: Rows, p: Sequence[Polynomial]) -> sp.Matrix:
-    rows = [[*(entry.expression() for entry in row), x.expression()] for row, x in zip(R, p, strict=True)]
+    rows = [
+        [*(entry.expression() for entry in row), x.expression()]
+        for row, x in zip(R, p, strict=True)
+    ]
     return sp.Matrix([*rows, [0, 0, 0, 1]])
 
 

@@ -9,7 +9,15 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .chain import Array, Chain, configuration, from_modified, from_standard, modified_transform, standard_transform
+from .chain import (
+    Array,
+    Chain,
+    configuration,
+    from_modified,
+    from_standard,
+    modified_transform,
+    standard_transform,
+)
 from .errors import KinegradeError
 from .expression import Expression, ExpressionError, parse
 
@@ -51,8 +59,12 @@ class Table:
 
     def numbers(self, values: Mapping[str, ArrayLike]) -> Array:
         """Numbers (..., n, 4) of all cells; every name takes a value, joints too. Raises TableError."""
-        cells = [[_value(i, c, row[c], values) for c in range(4)] for i, row in enumerate(self.rows, 1)]
-        return np.stack([np.stack(np.broadcast_arrays(*row), axis=-1) for row in _alike(cells)], axis=-2)
+        cells = [
+            [_value(i, c, row[c], values) for c in range(4)] for i, row in enumerate(self.rows, 1)
+        ]
+        return np.stack(
+            [np.stack(np.broadcast_arrays(*row), axis=-1) for row in _alike(cells)], axis=-2
+        )
 
     def chain(self, values: Mapping[str, float], tool: ArrayLike | None = None) -> Chain:
         """Chain with the parameters' values [rad, m]; joint values are not needed. Raises TableError."""
@@ -60,14 +72,18 @@ class Table:
         build = from_standard if self.convention == "standard" else from_modified
         return build(self.numbers({**values, **dict.fromkeys(self.joints, 0.0)}), kinds, tool=tool)
 
-    def frames(self, values: Mapping[str, float], q: ArrayLike, tool: ArrayLike | None = None) -> Array:
+    def frames(
+        self, values: Mapping[str, float], q: ArrayLike, tool: ArrayLike | None = None
+    ) -> Array:
         """Frames (..., n + 1, 4, 4) in base coordinates as printed tables have them, at q (..., n) [rad, m].
 
         Standard: T_0^0 ... T_n^0. Modified: T_1^0 ... T_n^0 and the tool. A tool transform (4, 4) is in the last
         only. Raises TableError or ChainError.
         """
         joints = configuration(len(self.rows), q)
-        numbers = self.numbers({**values, **{name: joints[..., i] for i, name in enumerate(self.joints)}})
+        numbers = self.numbers(
+            {**values, **{name: joints[..., i] for i, name in enumerate(self.joints)}}
+        )
         standard = self.convention == "standard"
         links = standard_transform(numbers) if standard else modified_transform(numbers)
         reached = [np.broadcast_to(np.eye(4), links[..., 0, :, :].shape)]
@@ -83,7 +99,9 @@ class Table:
 
 
 def read_table(
-    cells: Sequence[Sequence[str | float]], names: Collection[str], convention: Convention = "standard"
+    cells: Sequence[Sequence[str | float]],
+    names: Collection[str],
+    convention: Convention = "standard",
 ) -> Table:
     """Table of typed cells (rows of theta, d, a, alpha) in `names`; TableError names the cell that is at fault."""
     table = Table(tuple(_read_row(i, row, names) for i, row in enumerate(cells, 1)), convention)
@@ -95,7 +113,9 @@ def _read_row(i: int, row: Sequence[str | float], names: Collection[str]) -> Row
     if isinstance(row, str) or len(row) != 4:
         found = repr(row) if isinstance(row, str) else len(row)
         raise TableError(f"a row takes four cells theta, d, a, alpha, got {found}", i)
-    theta, d, a, alpha = (_read_cell(i, column, cell, names) for column, cell in zip(COLUMNS, row, strict=True))
+    theta, d, a, alpha = (
+        _read_cell(i, column, cell, names) for column, cell in zip(COLUMNS, row, strict=True)
+    )
     return theta, d, a, alpha
 
 
@@ -105,7 +125,9 @@ def _read_cell(i: int, column: str, cell: str | float, names: Collection[str]) -
     except ExpressionError as error:
         raise TableError(f"{error.message}\n{error.caret}", i, column) from None
     except (TypeError, ValueError):
-        raise TableError(f"a cell takes a formula or a number, got {type(cell).__name__}", i, column) from None
+        raise TableError(
+            f"a cell takes a formula or a number, got {type(cell).__name__}", i, column
+        ) from None
 
 
 def _typed(number: float) -> str:
@@ -118,14 +140,20 @@ def _kind(i: int, row: Row) -> str:
         if others := sorted(name for name in cell.names if JOINT.fullmatch(name) and name != joint):
             raise TableError(f"this row takes {joint} only, got {', '.join(others)}", i, column)
         if joint in cell.names and column in ("a", "alpha"):
-            raise TableError(f"{joint} takes a place in theta (revolute) or d (prismatic)", i, column)
+            raise TableError(
+                f"{joint} takes a place in theta (revolute) or d (prismatic)", i, column
+            )
     held = [column for column in (0, 1) if joint in row[column].names]
     if len(held) != 1:
         found = "both" if held else "no joint variable"
-        raise TableError(f"{joint} takes a place in theta (revolute) or d (prismatic), got {found}", i)
+        raise TableError(
+            f"{joint} takes a place in theta (revolute) or d (prismatic), got {found}", i
+        )
     if not _stands_alone(row[held[0]], joint):
         raise TableError(
-            f"{joint} stands alone with factor 1, as in {joint} + offset, got {row[held[0]]}", i, COLUMNS[held[0]]
+            f"{joint} stands alone with factor 1, as in {joint} + offset, got {row[held[0]]}",
+            i,
+            COLUMNS[held[0]],
         )
     return "RP"[held[0]]
 
@@ -135,11 +163,15 @@ def _stands_alone(cell: Expression, joint: str) -> bool:
     place = len(cell.nodes) - 1
     holds = [False] * len(cell.nodes)
     for k, node in enumerate(cell.nodes):
-        holds[k] = node == ("s", joint) if node[0] in ("n", "s") else any(holds[int(j)] for j in node[1:])
+        holds[k] = (
+            node == ("s", joint) if node[0] in ("n", "s") else any(holds[int(j)] for j in node[1:])
+        )
     while cell.nodes[place] != ("s", joint):
         operation, *arguments = cell.nodes[place]
         inside = [j for j in arguments if holds[j]]
-        if len(inside) != 1 or not (operation == "+" or (operation == "-" and inside[0] == arguments[0])):
+        if len(inside) != 1 or not (
+            operation == "+" or (operation == "-" and inside[0] == arguments[0])
+        ):
             return False
         place = inside[0]
     return True

@@ -101,7 +101,9 @@ def _power(text: str, match: re.Match[str]) -> list[Token]:
     if POWER.match(text, match.end()):
         raise ExpressionError("two powers in a row take brackets, as in (x²)^3", place)
     sign, digits = "-" * match[0].startswith("⁻"), match[0].removeprefix("⁻").translate(TRANSLATED)
-    return [Token("sign", part, place) for part in ("^", sign) if part] + [Token("number", digits, place)]
+    return [Token("sign", part, place) for part in ("^", sign) if part] + [
+        Token("number", digits, place)
+    ]
 
 
 def paired(tokens: Sequence[Token]) -> None:
@@ -116,7 +118,9 @@ def paired(tokens: Sequence[Token]) -> None:
             if not awaited:
                 raise ExpressionError("this bracket was never opened", token.offset)
             if token.text != awaited[-1]:
-                raise ExpressionError(f"'{awaited[-1]}' is expected, got '{token.text}'", token.offset)
+                raise ExpressionError(
+                    f"'{awaited[-1]}' is expected, got '{token.text}'", token.offset
+                )
             awaited.pop()
 
 
@@ -137,5 +141,7 @@ def number(text: str, offset: int) -> float:
     """Value of a number token; ExpressionError beyond 1e12 and, unless it is 0, below 1e-12."""
     value = float(text) if len(text) <= 40 else math.inf
     if value > SIZE or (value < 1 / SIZE and re.search("[1-9]", re.split("[eE]", text)[0])):
-        raise ExpressionError(f"a number takes a size between {1 / SIZE:g} and {SIZE:g}, or 0", offset)
+        raise ExpressionError(
+            f"a number takes a size between {1 / SIZE:g} and {SIZE:g}, or 0", offset
+        )
     return value

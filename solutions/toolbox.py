@@ -32,7 +32,9 @@ def from_toolbox(robot: Any) -> Chain:
         return _between(robot, _element_moves(robot.ets()))
     if hasattr(robot, "__iter__") and not isinstance(robot, str):
         return _chain(_element_moves(robot))
-    raise ToolboxError(f"from_toolbox takes a DHRobot, a Robot or an ETS of roboticstoolbox, got {_kind_of(robot)}")
+    raise ToolboxError(
+        f"from_toolbox takes a DHRobot, a Robot or an ETS of roboticstoolbox, got {_kind_of(robot)}"
+    )
 
 
 def _between(robot: Any, moves: Moves) -> Chain:
@@ -53,7 +55,11 @@ def _row_moves(link: Any) -> Moves:
     flipped = bool(getattr(link, "isflip", False))
     joint: Joint = ("R" if revolute else "P", elementary("Rx", np.pi if flipped else 0.0))
     if link.mdh:
-        return [modified_transform([0.0, 0.0, a, alpha]), joint, modified_transform([theta, d, 0.0, 0.0])]
+        return [
+            modified_transform([0.0, 0.0, a, alpha]),
+            joint,
+            modified_transform([theta, d, 0.0, 0.0]),
+        ]
     return [joint, standard_transform([theta, d, a, alpha])]
 
 
@@ -70,7 +76,9 @@ def _element_moves(elements: Iterable[Any]) -> Moves:
         if (index := getattr(element, "jindex", None)) is not None:
             indices.append(int(index))
     if any(low >= high for low, high in pairwise(indices)):
-        raise ToolboxError(f"an ETS takes joints numbered in the order in which they stand, got {indices}")
+        raise ToolboxError(
+            f"an ETS takes joints numbered in the order in which they stand, got {indices}"
+        )
     return moves
 
 
@@ -94,7 +102,9 @@ def _matrix(value: Any, what: str) -> Array:
     except (KinegradeError, TypeError):
         matrix = np.zeros(0)
     if matrix.shape != (4, 4):
-        raise ToolboxError(f"{what} takes one transform of shape (4, 4) in numbers, got {_kind_of(value)}")
+        raise ToolboxError(
+            f"{what} takes one transform of shape (4, 4) in numbers, got {_kind_of(value)}"
+        )
     return matrix
 
 
@@ -102,7 +112,9 @@ def _number(link: Any, key: str) -> float:
     try:
         return float(getattr(link, key))
     except (AttributeError, TypeError, ValueError):
-        raise ToolboxError(f"a row takes a number for {key}, got {getattr(link, key, None)!r}") from None
+        raise ToolboxError(
+            f"a row takes a number for {key}, got {getattr(link, key, None)!r}"
+        ) from None
 
 
 def _has(value: Any, *keys: str) -> bool:
@@ -111,4 +123,6 @@ def _has(value: Any, *keys: str) -> bool:
 
 def _kind_of(value: Any) -> str:
     shape = getattr(value, "shape", None)
-    return f"an object of type {type(value).__name__}" + (f" and shape {shape}" if shape is not None else "")
+    return f"an object of type {type(value).__name__}" + (
+        f" and shape {shape}" if shape is not None else ""
+    )

@@ -31,7 +31,9 @@ class UrdfArm:
     tip: str
 
 
-def read_urdf(text_or_path: str | PathLike[str], base: str | None = None, tip: str | None = None) -> UrdfArm:
+def read_urdf(
+    text_or_path: str | PathLike[str], base: str | None = None, tip: str | None = None
+) -> UrdfArm:
     """Chain from the link `base`, by default the root, to the link `tip`, by default the only end.
 
     A string that starts with "<" is the text itself. Fixed joints are merged; a continuous joint is revolute and has
@@ -45,7 +47,9 @@ def read_urdf(text_or_path: str | PathLike[str], base: str | None = None, tip: s
     way = _way(above, first, last)
     moving = [joint for joint in way if _kind(joint)]
     if not moving:
-        raise UrdfError(f"the way from {first} to {last} takes a joint that moves, got fixed joints only")
+        raise UrdfError(
+            f"the way from {first} to {last} takes a joint that moves, got fixed joints only"
+        )
     moves = [move for joint in way for move in _moves(joint)]
     names = tuple(_name(joint) for joint in moving)
     return UrdfArm(assembled(moves), names, tuple(_limits(joint) for joint in moving), first, last)
@@ -97,7 +101,9 @@ def _joints_above(robot: ET.Element, links: list[str]) -> dict[str, ET.Element]:
         if missing := [link for link in (parent, child) if link not in links]:
             raise UrdfError(f"joint {name} takes links of this robot, got {missing[0]!r}")
         if child in above:
-            raise UrdfError(f"link {child} takes one joint above it, got {_name(above[child])} and {name}: a loop")
+            raise UrdfError(
+                f"link {child} takes one joint above it, got {_name(above[child])} and {name}: a loop"
+            )
         above[child] = joint
     return above
 
@@ -127,7 +133,9 @@ def _tip(links: list[str], above: dict[str, ET.Element], base: str, tip: str | N
 def _way(above: dict[str, ET.Element], base: str, tip: str) -> list[ET.Element]:
     upwards = _upwards(above, tip)
     if base not in upwards:
-        raise UrdfError(f"base takes a link on the way from the root to {tip}, {', '.join(upwards[::-1])}, got {base}")
+        raise UrdfError(
+            f"base takes a link on the way from the root to {tip}, {', '.join(upwards[::-1])}, got {base}"
+        )
     return [above[link] for link in upwards[: upwards.index(base)][::-1]]
 
 
@@ -147,9 +155,13 @@ def _kind(joint: ET.Element) -> str:
     kind = joint.get("type", "")
     if kind not in KINDS and kind != "fixed":
         valid = ", ".join([*KINDS, "fixed"])
-        raise UrdfError(f"joint {_name(joint)} takes a type of {valid} on the way to the tip, got {kind or 'none'}")
+        raise UrdfError(
+            f"joint {_name(joint)} takes a type of {valid} on the way to the tip, got {kind or 'none'}"
+        )
     if joint.find("mimic") is not None:
-        raise UrdfError(f"joint {_name(joint)} takes a motion of its own on the way to the tip, got mimic")
+        raise UrdfError(
+            f"joint {_name(joint)} takes a motion of its own on the way to the tip, got mimic"
+        )
     return KINDS.get(kind, "")
 
 
@@ -157,7 +169,9 @@ def _moves(joint: ET.Element) -> list[Array | Joint]:
     origin = joint.find("origin")
     x, y, z = _three(joint, origin, "xyz", "0 0 0")
     roll, pitch, yaw = _three(joint, origin, "rpy", "0 0 0")
-    placed = steps_transform([("Tx", x), ("Ty", y), ("Tz", z), ("Rz", yaw), ("Ry", pitch), ("Rx", roll)])
+    placed = steps_transform(
+        [("Tx", x), ("Ty", y), ("Tz", z), ("Rz", yaw), ("Ry", pitch), ("Rx", roll)]
+    )
     if not (kind := _kind(joint)):
         return [placed]
     axis = np.array(_three(joint, joint.find("axis"), "xyz", "1 0 0"))
@@ -172,17 +186,25 @@ def _limits(joint: ET.Element) -> tuple[float, float]:
         return TURN
     limit = joint.find("limit")
     if limit is None:
-        raise UrdfError(f"joint {_name(joint)} takes limits, as it is {joint.get('type')}, got none")
-    low, high = (_number(joint, limit.get(side, "0"), f"the limit {side}") for side in ("lower", "upper"))
+        raise UrdfError(
+            f"joint {_name(joint)} takes limits, as it is {joint.get('type')}, got none"
+        )
+    low, high = (
+        _number(joint, limit.get(side, "0"), f"the limit {side}") for side in ("lower", "upper")
+    )
     if low > high:
-        raise UrdfError(f"joint {_name(joint)} takes a lower limit below the upper one, got {low:g} and {high:g}")
+        raise UrdfError(
+            f"joint {_name(joint)} takes a lower limit below the upper one, got {low:g} and {high:g}"
+        )
     return low, high
 
 
 def _three(joint: ET.Element, element: ET.Element | None, key: str, default: str) -> list[float]:
     words = (default if element is None else element.get(key, default)).split()
     if len(words) != 3:
-        raise UrdfError(f"joint {_name(joint)} takes three numbers in {key}, got {' '.join(words)!r}")
+        raise UrdfError(
+            f"joint {_name(joint)} takes three numbers in {key}, got {' '.join(words)!r}"
+        )
     return [_number(joint, word, key) for word in words]
 
 

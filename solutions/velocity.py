@@ -11,7 +11,9 @@ from .jacobian import Axes, Point, jacobian
 REGULAR = 1e-10  # a singular value below this share of the largest counts as zero
 
 
-def twist(chain: Chain, q: ArrayLike, qdot: ArrayLike, frame: Axes = "base", *, point: Point | None = None) -> Array:
+def twist(
+    chain: Chain, q: ArrayLike, qdot: ArrayLike, frame: Axes = "base", *, point: Point | None = None
+) -> Array:
     """Twists (..., 6) of the tool, [m/s] above [rad/s], at q (..., n) with joint rates qdot (..., n).
 
     `frame` and `point` are those of `jacobian`. Raises ChainError.
@@ -126,4 +128,6 @@ def _check_batch(name: str, values: Array, J: Array) -> None:
     try:
         np.broadcast_shapes(values.shape[:-1], J.shape[:-2])
     except ValueError:
-        raise ChainError(f"{name} takes as many rows as q, {J.shape[:-2]}, got {values.shape[:-1]}") from None
+        raise ChainError(
+            f"{name} takes as many rows as q, {J.shape[:-2]}, got {values.shape[:-1]}"
+        ) from None

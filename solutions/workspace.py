@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .approach import approached, configurations, in_axis_frame, projected
-from .barriers import barriers
-from .cells import Extent, beside_empty, filled, raster, spread
 from .chain import Chain
 from .kinematics import forward
+from .sections.approach import approached, configurations, in_axis_frame, projected
+from .sections.barriers import barriers
+from .sections.cells import Extent, beside_empty, filled, raster, spread
 from .singularity import Arm, Parameters, Values, arm, sigma_min, task_block, zero_set
 
 if TYPE_CHECKING:
@@ -128,7 +128,10 @@ def _matters(part: Arm, joint: int, axes: tuple[str, str], q: Values) -> bool:
     turned = q.copy()
     turned[:, joint] = q[::-1, joint]
     at, sigma = projected(in_axis_frame(part.chain, q), axes), sigma_min(task_block(part, q))
-    moved = np.abs(projected(in_axis_frame(part.chain, turned), axes) - at).max() > 1e-12 * np.abs(at).max()
+    moved = (
+        np.abs(projected(in_axis_frame(part.chain, turned), axes) - at).max()
+        > 1e-12 * np.abs(at).max()
+    )
     changed = np.abs(sigma_min(task_block(part, turned)) - sigma).max() > 1e-12 * sigma.max()
     return bool(moved or changed)
 
@@ -156,7 +159,9 @@ def _barrier_curves(
     lines = [(LIMITS if held else SINGULAR, q) for held, q in barriers(part, axes, free)]
     points = [projected(in_axis_frame(part.chain, q), axes) for _, q in lines]
     flags = [beside_empty(image, extent, at) for at in points]
-    return tuple(Curve(name, at, q, flag) for (name, q), at, flag in zip(lines, points, flags, strict=True))
+    return tuple(
+        Curve(name, at, q, flag) for (name, q), at, flag in zip(lines, points, flags, strict=True)
+    )
 
 
 def _limit_curves(part: Arm, free: tuple[int, ...]) -> list[tuple[str, Values]]:
@@ -172,7 +177,9 @@ def _limit_curves(part: Arm, free: tuple[int, ...]) -> list[tuple[str, Values]]:
     return curves
 
 
-def _on_boundary(part: Arm, free: tuple[int, ...], axes: tuple[str, str], points: Values) -> NDArray[np.bool_]:
+def _on_boundary(
+    part: Arm, free: tuple[int, ...], axes: tuple[str, str], points: Values
+) -> NDArray[np.bool_]:
     """Whether the tool misses one of the two points just beside a curve, for each of its points."""
     size = float(np.ptp(points, axis=0).max())
     if size <= 1e-9 * float(np.abs(points).max()):
@@ -230,7 +237,9 @@ def _least(value: Callable[[Values], Values], part: Arm) -> float:
     count = max(5, int(60_000 ** (1 / part.chain.n)))
     centre, half, best = (low + high) / 2, (high - low) / 2, np.inf
     while half.max() > 1e-14:
-        lines = np.linspace(np.maximum(low, centre - half), np.minimum(high, centre + half), count).T
+        lines = np.linspace(
+            np.maximum(low, centre - half), np.minimum(high, centre + half), count
+        ).T
         q = np.stack(np.meshgrid(*lines, indexing="ij"), axis=-1).reshape(-1, part.chain.n)
         found = value(q)
         best, centre = min(best, float(found.min())), q[found.argmin()]

@@ -5,16 +5,29 @@ from functools import cache
 from itertools import chain
 
 import numpy as np
-from kinegrade.course.blanks import answer_code
-from kinegrade.exercises.answers import Choice, Conditions, Configurations, Formulas, Function, Manual, Numbers, TableOf
-from kinegrade.exercises.catalogue import exercise_files, find
+from kinegrade.exercises.answers import (
+    Choice,
+    Conditions,
+    Configurations,
+    Formulas,
+    Function,
+    Manual,
+    Numbers,
+    TableOf,
+)
 from kinegrade.exercises.exercise import references
-from kinegrade.exercises.values import declared, names_on_sheet
-from kinegrade.grader.handed_in import handed_in
-from kinegrade.grader.wire import Raw
+from kinegrade.exercises.files.finding import exercise_files, find
+from kinegrade.exercises.kinds.formulas import names_on_sheet
+from kinegrade.grader.collecting.wire import Raw
+from kinegrade.grader.kinds.markers import handed_in
 
 SLUGS = sorted(exercise_files())
 EXERCISES = {slug: find(slug, exercise_files()) for slug in SLUGS}
+
+
+def answer_code(part, value):
+    """Python that hands in a declared value."""
+    return part.answer.code(part.variable, value)
 
 
 @cache
@@ -51,7 +64,7 @@ def raws_of(exercise, v, answers):
 def _raw_of(part, v, value):
     if isinstance(value, Raw | np.ndarray):  # numbers may be of another shape than is asked
         return raw(value)
-    return handed_in(part.answer, declared(part.answer, value, v), v)
+    return handed_in(part.answer, part.answer.declared(value, v), v)
 
 
 def right_raws(exercise, v):
@@ -81,7 +94,7 @@ def wrong_code(part, value, v):
 
 def _other_formulas(answer, _, v):
     name = names_on_sheet(answer.names, v)[0]
-    return declared(answer, np.full(answer.shape, f"0.123*{name}").tolist(), v)
+    return answer.declared(np.full(answer.shape, f"0.123*{name}").tolist(), v)
 
 
 def _other_table(_, value, __):
@@ -102,7 +115,9 @@ _WRONG = {
     TableOf: _other_table,
     Formulas: _other_formulas,
     Choice: _other_letter,
-    Conditions: lambda answer, _, v: declared(answer, [f"{names_on_sheet(answer.names, v)[-1]} - 0.123"], v),
+    Conditions: lambda answer, _, v: answer.declared(
+        [f"{names_on_sheet(answer.names, v)[-1]} - 0.123"], v
+    ),
     Function: lambda *_: lambda *__: np.full((2, 2), 0.5),
     Manual: lambda *_: "x",
 }
@@ -115,7 +130,9 @@ def telling(part, value, v):
     """
     if isinstance(part.answer, Numbers | Configurations):
         sizes = [x for x in np.abs(np.ravel(value)) if x > 0.01 and abs(x - round(x, 2)) > 1e-6]
-        return {text for x in sizes for text in (f"{x:.3f}", f"{x:.9f}"[:-6])}  # rounded, and as more decimals begin
+        return {
+            text for x in sizes for text in (f"{x:.3f}", f"{x:.9f}"[:-6])
+        }  # rounded, and as more decimals begin
     if isinstance(part.answer, Formulas):
         return {str(entry) for entry in value.entries if len(str(entry)) > 8}
     if isinstance(part.answer, Conditions):

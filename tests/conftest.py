@@ -7,7 +7,9 @@ from answers import EXERCISES, SLUGS
 from courses import BUNDLED, Kinegrade, handed_out, make_course
 from hypothesis import settings
 
-settings.register_profile("steady", derandomize=True)  # the same examples every time: red means a change of ours
+settings.register_profile(
+    "steady", derandomize=True
+)  # the same examples every time: red means a change of ours
 settings.load_profile("steady")
 os.environ.pop("KINEGRADE_SECRET", None)  # whoever runs the tests may have a course
 

@@ -10,8 +10,8 @@ from kinegrade.course.cli import main
 from kinegrade.course.config import Sheet, read_course
 from kinegrade.course.gradebook import Gradebook
 from kinegrade.course.sheets import exercises_of, generate
-from kinegrade.exercises.catalogue import load
 from kinegrade.exercises.exercise import Exercise, references
+from kinegrade.exercises.files.finding import load
 
 SECRET = "a secret for tests, long enough"  # noqa: S105
 CLASS = (("ada", "Ada Lovelace"), ("ben", "Ben Bot"), ("cyd", 'Cyd, the "third"'))
@@ -47,12 +47,16 @@ EXERCISE = Exercise(
 '''
 
 
-def make_course(folder, *, exercises=("lever",), students=CLASS, secret=SECRET, mode="graded", more=""):
+def make_course(
+    folder, *, exercises=("lever",), students=CLASS, secret=SECRET, mode="graded", more=""
+):
     """A course folder with one sheet `one`; `lever` is the course's own exercise."""
     (folder / "exercises").mkdir(parents=True, exist_ok=True)
     (folder / "exercises" / "lever.py").write_text(LEVER, encoding="utf-8")
     listed = ", ".join(f'"{slug}"' for slug in exercises)
-    sheet = f'[[sheet]]\nname = "one"\ntitle = "Sheet one"\nmode = "{mode}"\nexercises = [{listed}]\n'
+    sheet = (
+        f'[[sheet]]\nname = "one"\ntitle = "Sheet one"\nmode = "{mode}"\nexercises = [{listed}]\n'
+    )
     (folder / "course.toml").write_text(f'title = "Tests"\n{sheet}{more}', encoding="utf-8")
     write_secret(folder, secret)
     enrol(folder, students)
@@ -67,7 +71,10 @@ def write_secret(folder, secret=SECRET, mode=0o600):
 
 
 def enrol(folder, students):
-    lines = ["student,name", *(f'{student},"{name.replace(chr(34), chr(34) * 2)}"' for student, name in students)]
+    lines = [
+        "student,name",
+        *(f'{student},"{name.replace(chr(34), chr(34) * 2)}"' for student, name in students),
+    ]
     (folder / "roster.csv").write_text("\n".join(lines) + "\n", encoding="utf-8")
 
 
@@ -85,7 +92,11 @@ def right_answers(course, student, sheet="one"):
         records = [record for record in gradebook.records(sheet) if record.student == student]
     named = {sheet.name: sheet for sheet in course.settings.sheet}
     known = {exercise.slug: exercise for exercise in exercises_of(course, named[sheet])}
-    return {k: x for record in records for k, x in references(known[record.exercise], record.numbers).items()}
+    return {
+        k: x
+        for record in records
+        for k, x in references(known[record.exercise], record.numbers).items()
+    }
 
 
 def hand_in(course, student, answers, name="one.json"):
@@ -93,7 +104,9 @@ def hand_in(course, student, answers, name="one.json"):
     path = course.folder / "submitted" / student / name
     path.parent.mkdir(parents=True, exist_ok=True)
     if not isinstance(answers, bytes):
-        answers = json.dumps({k: x.tolist() if hasattr(x, "tolist") else x for k, x in answers.items()}).encode()
+        answers = json.dumps(
+            {k: x.tolist() if hasattr(x, "tolist") else x for k, x in answers.items()}
+        ).encode()
     path.write_bytes(answers)
     return path
 
@@ -101,11 +114,20 @@ def hand_in(course, student, answers, name="one.json"):
 def notebook(*sources, about=None):
     """The bytes of a notebook with these code cells."""
     cells = [
-        {"cell_type": "code", "id": f"c{i}", "metadata": {}, "outputs": [], "execution_count": None, "source": source}
+        {
+            "cell_type": "code",
+            "id": f"c{i}",
+            "metadata": {},
+            "outputs": [],
+            "execution_count": None,
+            "source": source,
+        }
         for i, source in enumerate(sources)
     ]
     metadata = {"kinegrade": about} if about else {}
-    return json.dumps({"cells": cells, "metadata": metadata, "nbformat": 4, "nbformat_minor": 5}).encode()
+    return json.dumps(
+        {"cells": cells, "metadata": metadata, "nbformat": 4, "nbformat_minor": 5}
+    ).encode()
 
 
 def lever(folder):
@@ -117,7 +139,13 @@ def lever(folder):
 
 def exercise_of(*parts, draw=lambda rng: {"x": float(rng.uniform(0.1, 0.9))}, **more):
     """An exercise `t` made of these parts."""
-    plain = {"title": "t", "source": "tests", "statement": lambda _: "t", "units": {"x": "1"}, "scale": lambda _: 1.0}
+    plain = {
+        "title": "t",
+        "source": "tests",
+        "statement": lambda _: "t",
+        "units": {"x": "1"},
+        "scale": lambda _: 1.0,
+    }
     return Exercise(slug="t", draw=draw, parts=parts, **(plain | more))
 
 
@@ -127,7 +155,11 @@ def sheet(mode="graded", exercises=BUNDLED):
 
 def files_of(folder):
     """Path to bytes of every file below a folder."""
-    return {str(path.relative_to(folder)): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()}
+    return {
+        str(path.relative_to(folder)): path.read_bytes()
+        for path in sorted(folder.rglob("*"))
+        if path.is_file()
+    }
 
 
 @dataclass(frozen=True)

@@ -72,7 +72,9 @@ def test_angles_and_jacobians_agree_with_the_golden_ones_or_are_refused(name: st
         np.testing.assert_allclose(wrapped(angles - case[field]["angles"]), 0, rtol=0, atol=1e-13)
         expected = np.array(case[field]["J"])
         scale = 1e-13 * max(1.0, float(np.abs(expected).max()))
-        np.testing.assert_allclose(analytic_jacobian(chain, case["q"], axes), expected, rtol=0, atol=scale)
+        np.testing.assert_allclose(
+            analytic_jacobian(chain, case["q"], axes), expected, rtol=0, atol=scale
+        )
 
 
 @every_set
@@ -80,13 +82,17 @@ def test_the_name_says_the_axes_in_reading_order(axes: str):
     for angles in some_angles(axes, 5):
         turns = [elementary(f"R{x.lower()}", angle) for x, angle in zip(axes, angles, strict=True)]
         a, b, c = turns if axes.isupper() else reversed(turns)
-        np.testing.assert_allclose(rotation_from_angles(angles, axes), (a @ b @ c)[:3, :3], rtol=0, atol=1e-15)
+        np.testing.assert_allclose(
+            rotation_from_angles(angles, axes), (a @ b @ c)[:3, :3], rtol=0, atol=1e-15
+        )
 
 
 @every_set
 def test_angles_come_back_from_their_rotation(axes: str):
     angles = some_angles(axes)
-    np.testing.assert_allclose(angles_from_rotation(rotation_from_angles(angles, axes), axes), angles, atol=1e-13)
+    np.testing.assert_allclose(
+        angles_from_rotation(rotation_from_angles(angles, axes), axes), angles, atol=1e-13
+    )
 
 
 @every_set
@@ -102,7 +108,9 @@ def test_the_angular_velocity_is_the_axial_vector_of_the_rotation_that_the_rates
 def test_the_determinant_of_the_map_is_the_cosine_or_the_sine_of_the_middle_angle(axes: str):
     angles = some_angles(axes)
     size = np.abs((np.sin if axes[0] == axes[2] else np.cos)(angles[:, 1]))
-    np.testing.assert_allclose(np.abs(np.linalg.det(angular_velocity_map(angles, axes))), size, rtol=0, atol=1e-14)
+    np.testing.assert_allclose(
+        np.abs(np.linalg.det(angular_velocity_map(angles, axes))), size, rtol=0, atol=1e-14
+    )
 
 
 @pytest.mark.parametrize("name", ROBOTS)
@@ -120,7 +128,8 @@ def test_the_analytic_jacobian_agrees_with_finite_differences(name: str, axes: s
             continue  # differences of a thousandth are too coarse there
         tested += 1
         of_angles = [
-            slope(lambda x: angles_from_rotation(forward(chain, x)[:3, :3], axes), q, d) for d in np.eye(robot.n)
+            slope(lambda x: angles_from_rotation(forward(chain, x)[:3, :3], axes), q, d)
+            for d in np.eye(robot.n)
         ]
         J = analytic_jacobian(chain, q, axes)
         np.testing.assert_allclose(J[3:], np.transpose(of_angles), rtol=0, atol=1e-10 / size**5)
@@ -133,14 +142,23 @@ def test_the_outer_angles_are_refused_below_the_stated_bound_and_good_above_it(a
     start = 0.0 if axes[0] == axes[2] else math.pi / 2
     near = rotation_from_angles([0.4, start - 0.9 * SINGULAR, -0.7], axes)
     far = rotation_from_angles([0.4, start - 1.1 * SINGULAR * (1 if start else -1), -0.7], axes)
-    with pytest.raises(RepresentationError, match=f"{axes} angles take a middle angle whose .* is at least 1e-06"):
+    with pytest.raises(
+        RepresentationError, match=f"{axes} angles take a middle angle whose .* is at least 1e-06"
+    ):
         angles_from_rotation(near, axes)
-    np.testing.assert_allclose(angles_from_rotation(far, axes)[[0, 2]], [0.4, -0.7], rtol=0, atol=1e-9)
+    np.testing.assert_allclose(
+        angles_from_rotation(far, axes)[[0, 2]], [0.4, -0.7], rtol=0, atol=1e-9
+    )
 
 
 def test_the_refusal_says_which_rotation_of_a_batch_it_is():
-    R = rotation_from_angles([[[0.1, 0.2, 0.3], [0.1, 0.2, 0.3]], [[0.1, 0.2, 0.3], [0.1, math.pi / 2, 0.3]]])
-    with pytest.raises(RepresentationError, match=r"cosine is at least 1e-06, got .* at index \(1, 1\).*sum or diff"):
+    R = rotation_from_angles(
+        [[[0.1, 0.2, 0.3], [0.1, 0.2, 0.3]], [[0.1, 0.2, 0.3], [0.1, math.pi / 2, 0.3]]]
+    )
+    with pytest.raises(
+        RepresentationError,
+        match=r"cosine is at least 1e-06, got .* at index \(1, 1\).*sum or diff",
+    ):
         angles_from_rotation(R)
 
 
@@ -166,7 +184,10 @@ def test_results_have_the_documented_shapes(shape: tuple[int, ...], axes: str):
 
 @pytest.mark.parametrize("axes", ["xxy", "xyw", "xY", "", "xy", "xYz", "zzz", "wxyz"])
 def test_a_set_of_angles_that_does_not_exist_is_refused_with_a_sentence(axes: str):
-    with pytest.raises(ChainError, match=r"axes takes three letters such as 'xyz' \(fixed\) or 'ZYZ' \(moving\), got"):
+    with pytest.raises(
+        ChainError,
+        match=r"axes takes three letters such as 'xyz' \(fixed\) or 'ZYZ' \(moving\), got",
+    ):
         rotation_from_angles([0.1, 0.2, 0.3], axes)
 
 

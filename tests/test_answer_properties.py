@@ -59,11 +59,15 @@ def test_rates_meet_a_target_row_by_row():
     assert not meets(J, rates, [1, 0, 0.1], [1e-3, 1e-3, 1e-3])
 
 
-@pytest.mark.parametrize(("text", "same"), [("-2*l1*s(q2)", True), ("l1*s(q2)^2", False), ("0", False), ("l1", False)])
+@pytest.mark.parametrize(
+    ("text", "same"), [("-2*l1*s(q2)", True), ("l1*s(q2)^2", False), ("0", False), ("l1", False)]
+)
 def test_a_determinant_may_be_asked_up_to_a_constant(text, same):
     names = ("l1", "q2")
     reference = expression_array("l1*sin(q2)", names)
-    assert proportional(expression_array(text.replace("s(", "sin("), names), reference, names) is same
+    assert (
+        proportional(expression_array(text.replace("s(", "sin("), names), reference, names) is same
+    )
 
 
 def test_rotations_are_the_same_within_an_angle():

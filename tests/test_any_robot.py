@@ -32,7 +32,9 @@ def test_a_robot_of_a_chain_has_its_kinematics(name):
 def test_oblique_chains_too(seed):
     chain = random_chain("RPRRPR", np.random.default_rng(seed))
     q = np.random.default_rng(seed).uniform(-1, 1, 6)
-    np.testing.assert_allclose(forward(robot_from_chain(chain).chain(), q), forward(chain, q), atol=1e-12)
+    np.testing.assert_allclose(
+        forward(robot_from_chain(chain).chain(), q), forward(chain, q), atol=1e-12
+    )
 
 
 def test_a_robot_of_a_urdf_has_its_limits_and_its_kinematics():
@@ -54,5 +56,10 @@ def test_a_robot_of_a_table_is_that_of_the_catalogue():
 
 def test_right_angles_stay_exact():
     robot = robot_from_chain(ROBOTS["puma560"].chain())
-    words = {amount for steps in robot.rows for motion, amount in steps if motion[0] == "R" and "q" not in amount}
+    words = {
+        amount
+        for steps in robot.rows
+        for motion, amount in steps
+        if motion[0] == "R" and "q" not in amount
+    }
     assert words <= {"2*pi/4", "-2*pi/4", "4*pi/4"}

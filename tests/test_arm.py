@@ -13,12 +13,12 @@ from typing import Any
 import numpy as np
 import pytest
 from kinegrade.exercises.drawing import Dimension, Drawing, Point, Triad
-from kinegrade.grader.arm import compose, draw, pose, symbol_of
-from kinegrade.grader.depth import Array, by_depth, outside, tube_planes
-from kinegrade.grader.labels import SIZE, SUB, place, text_width
-from kinegrade.grader.pose import camera
-from kinegrade.grader.raster import data_uri, png
-from kinegrade.grader.scene import Scene, text_xml
+from kinegrade.grader.figures.arm import compose, draw, pose, symbol_of
+from kinegrade.grader.figures.depth import Array, by_depth, outside, tube_planes
+from kinegrade.grader.figures.labels import SIZE, SUB, place, text_width
+from kinegrade.grader.figures.pose import camera
+from kinegrade.grader.figures.raster import data_uri, png
+from kinegrade.grader.figures.scene import Scene, text_xml
 from kinegrade.solutions.chain import Chain, elementary, from_frames, from_standard
 from kinegrade.solutions.errors import KinegradeError
 from kinegrade.solutions.kinematics import forward
@@ -41,7 +41,11 @@ POINT = from_standard([[0, 0, 0, pi / 2], [0, 0, 0, -pi / 2], [0, 0, 0, 0]], "RR
 
 
 def s0(scale: float = 1.0) -> Chain:
-    placements = [elementary("Tz", 3 * scale), elementary("Rx", pi / 2), elementary("Ty", 2 * scale)]
+    placements = [
+        elementary("Tz", 3 * scale),
+        elementary("Rx", pi / 2),
+        elementary("Ty", 2 * scale),
+    ]
     return from_frames(np.stack(placements), "RRR", tool=elementary("Tx", 2 * scale))
 
 
@@ -50,7 +54,10 @@ def spherical(d1: float = 0.6) -> Chain:
 
 
 def drawing(
-    chain: Chain, q: Sequence[float], dimensions: Sequence[tuple[Point, Point, str]] = (), **more: Any
+    chain: Chain,
+    q: Sequence[float],
+    dimensions: Sequence[tuple[Point, Point, str]] = (),
+    **more: Any,
 ) -> Drawing:
     triads = (Triad(np.eye(4), "0"), Triad(forward(chain, np.array(q, dtype=float)), "tool"))
     marks = tuple(Dimension(*dimension) for dimension in dimensions)
@@ -106,7 +113,9 @@ def number(element: ET.Element, name: str) -> float:
 
 
 def line_of(path: ET.Element) -> Array:
-    return np.array([[float(c) for c in p.split()] for p in re.split("[ML]", path.get("d", ""))[1:]])
+    return np.array(
+        [[float(c) for c in p.split()] for p in re.split("[ML]", path.get("d", ""))[1:]]
+    )
 
 
 def turning(svg: str) -> float:
@@ -121,11 +130,15 @@ def test_every_joint_has_its_body_and_its_label(name: str) -> None:
     svg, case = picture(name), DRAWINGS[name]
     kinds = case.chain.kinds
     assert len(parts(svg, "revolute")) == 2 * kinds.count("R")
-    assert len([e for e in parts(svg, "joint") if "prismatic" in e.get("class", "")]) == kinds.count("P")
+    assert len(
+        [e for e in parts(svg, "joint") if "prismatic" in e.get("class", "")]
+    ) == kinds.count("P")
     words = ["".join(e.findall(SVG + "text")[-1].itertext()) for e in parts(svg, "joint-label")]
     assert words == [f"q{i + 1}" for i in range(case.chain.n)]
     assert len(parts(svg, "triad")) == len(parts(svg, "triad-label")) == 3 * len(case.triads)
-    assert len(parts(svg, "dimension")) == len(parts(svg, "dimension-label")) == len(case.dimensions)
+    assert (
+        len(parts(svg, "dimension")) == len(parts(svg, "dimension-label")) == len(case.dimensions)
+    )
 
 
 @each_drawing
@@ -181,7 +194,9 @@ def test_two_drawings_on_one_page_share_no_names() -> None:
 
 
 def test_an_arm_a_thousand_times_larger_gives_the_same_picture() -> None:
-    assert len({draw(drawing(s0(scale), (0.1, -0.5, 0.5))) for scale in (2.0**-6, 1.0, 2.0**5)}) == 1
+    assert (
+        len({draw(drawing(s0(scale), (0.1, -0.5, 0.5))) for scale in (2.0**-6, 1.0, 2.0**5)}) == 1
+    )
 
 
 def test_a_link_runs_along_its_joint_axis_first() -> None:
@@ -203,12 +218,16 @@ def test_bodies_of_joints_that_meet_stand_clear_of_one_another(name: str) -> Non
 
 def test_the_curved_arrow_turns_counterclockwise_about_an_axis_that_points_at_the_viewer() -> None:
     from_above: dict[str, Any] = {"view": (-90.0, 90.0)}
-    upright, upside_down = (from_standard([[0, 0, 1, 0]], "R", base=elementary("Rx", angle)) for angle in (0.0, pi))
+    upright, upside_down = (
+        from_standard([[0, 0, 1, 0]], "R", base=elementary("Rx", angle)) for angle in (0.0, pi)
+    )
     assert turning(draw(drawing(upright, (0.4,), **from_above))) < 0
     assert turning(draw(drawing(upside_down, (0.4,), **from_above))) > 0
 
 
-@pytest.mark.parametrize("stands", [(0.0, 0.0, 1.0), (0.0, 0.0, -1.0), (1.0, 0.0, 0.0), (-1.0, 0.0, 0.0)])
+@pytest.mark.parametrize(
+    "stands", [(0.0, 0.0, 1.0), (0.0, 0.0, -1.0), (1.0, 0.0, 0.0), (-1.0, 0.0, 0.0)]
+)
 def test_the_base_plate_lies_behind_the_arm_on_a_floor_a_ceiling_and_a_wall(stands: Point) -> None:
     chain = from_standard([[0, 0.5, 1, 0]], "R")
     case = drawing(chain, (0.4,), view=(-80.0, 10.0), stands=stands)
@@ -233,13 +252,22 @@ def test_the_straight_arrow_points_along_the_axis(base: Array, up: bool) -> None
 
 def test_an_axis_that_points_at_the_viewer_is_a_ring_with_a_dot() -> None:
     svg = picture("seen from above")
-    assert all(len(e.findall(SVG + "circle")) == 2 for e in parts(svg, "triad") if "z" in e.get("class", "").split())
+    assert all(
+        len(e.findall(SVG + "circle")) == 2
+        for e in parts(svg, "triad")
+        if "z" in e.get("class", "").split()
+    )
 
 
 def test_captions_are_written_as_text_whatever_is_in_them() -> None:
     nasty = '</title><script>alert("1")</script>&\0\x08\ud800 é'
     case = Drawing(
-        s0(), (0, 0, 0), nasty, nasty, (Triad(np.eye(4), "<b>&"),), (Dimension((0, 0, 0), (0, 0, 3), '"><x '),)
+        s0(),
+        (0, 0, 0),
+        nasty,
+        nasty,
+        (Triad(np.eye(4), "<b>&"),),
+        (Dimension((0, 0, 0), (0, 0, 3), '"><x '),),
     )
     root = root_of(draw(case))
     clean = nasty.replace("\0", "\ufffd").replace("\x08", "\ufffd").replace("\ud800", "\ufffd")
@@ -283,8 +311,12 @@ def test_what_is_nearer_is_painted_later() -> None:
     scene = Scene(200)
     scene.tube(np.array([-50.0, 0, 9]), np.array([50.0, 0, 9]), 5, group="near", **paint)
     scene.tube(np.array([0.0, -50, -9]), np.array([0.0, 50, -9]), 5, group="far", **paint)
-    scene.stroke(np.array([[20.0, -30, 0], [20.0, 30, 0]]), 1, colour="#000000", css="axis", group="between")
-    scene.tube(np.array([9.0, 20, 20]), np.array([9.0, 20, 40]), 0.3, group="thin and end on", **paint)
+    scene.stroke(
+        np.array([[20.0, -30, 0], [20.0, 30, 0]]), 1, colour="#000000", css="axis", group="between"
+    )
+    scene.tube(
+        np.array([9.0, 20, 20]), np.array([9.0, 20, 40]), 0.3, group="thin and end on", **paint
+    )
     names = [item.group for item in by_depth(scene.items)]
     assert names.index("far") < names.index("near")
     assert names.index("between") < names.index("near")
@@ -296,7 +328,9 @@ def test_things_that_hide_one_another_in_a_ring_are_still_painted_once() -> None
     corners = np.array([[0.0, -40, 0], [35, 20, 0], [-35, 20, 0]])
     for k in range(3):
         a, b = corners[k] - [0, 0, 12], corners[(k + 1) % 3] + [0, 0, 12]
-        scene.tube(a - 0.2 * (b - a), b + 0.2 * (b - a), 6, colour="#808080", css="link", group=str(k))
+        scene.tube(
+            a - 0.2 * (b - a), b + 0.2 * (b - a), 6, colour="#808080", css="link", group=str(k)
+        )
     assert sorted(item.group for item in by_depth(scene.items)) == ["0", "1", "2"]
 
 

@@ -4,10 +4,10 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from kinegrade.solutions.approach import in_axis_frame, projected
-from kinegrade.solutions.barriers import CELL, STEP, barriers
-from kinegrade.solutions.cells import beside_empty
 from kinegrade.solutions.robots import ROBOTS, Robot
+from kinegrade.solutions.sections.approach import in_axis_frame, projected
+from kinegrade.solutions.sections.barriers import CELL, STEP, barriers
+from kinegrade.solutions.sections.cells import beside_empty
 from kinegrade.solutions.singularity import Arm, Values, arm
 from kinegrade.solutions.workspace import _plane
 
@@ -47,7 +47,9 @@ def test_free_joints_have_lost_a_direction_and_those_at_limits_only_take_the_too
         gains = slopes(part, axes, q[1:-1]) / length
         side = np.where(q[1:-1] < low + 1e-9, -1.0, np.where(q[1:-1] > high - 1e-9, 1.0, 0.0))
         side *= high - low < 2 * np.pi - 1e-9  # a full turn has no end
-        side[:, np.abs(gains).max(axis=(0, 1)) < 1e-9] = 0.0  # what does not move the tool cannot hold it
+        side[:, np.abs(gains).max(axis=(0, 1)) < 1e-9] = (
+            0.0  # what does not move the tool cannot hold it
+        )
         U, sigma, _ = np.linalg.svd(np.where(side[:, None] == 0, gains, 0.0))
         corner = sigma[:, 0] < 1e-9  # all joints at limits, between one edge and the next
         chord = 2 * STEP**2  # so far off may be a point where a line passes from face to face
@@ -62,7 +64,9 @@ def test_lines_run_on_without_leaps(name):
     part, (axes, _) = PARTS[name], AXES[name]
     length = np.linalg.norm(part.chain.fixed[1:, :3, 3], axis=-1).sum()
     for _, q in FOUND[name]:
-        assert np.linalg.norm(np.diff(seen(part, axes, q), axis=0), axis=1).max() < 2 * STEP * length
+        assert (
+            np.linalg.norm(np.diff(seen(part, axes, q), axis=0), axis=1).max() < 2 * STEP * length
+        )
         assert len(q) > 1
 
 
@@ -88,7 +92,9 @@ def test_a_line_is_found_once(name):
 def test_the_planar_arm_within_its_limits_has_its_known_radii():
     """Stretched; and with joints 2 and 3 at their limits, bent the same way or against each other."""
     c, s = np.cos(np.radians(150)), np.sin(np.radians(150))
-    same = np.hypot(1.0 + 0.8 * c + 0.5 * np.cos(np.radians(300)), 0.8 * s + 0.5 * np.sin(np.radians(300)))
+    same = np.hypot(
+        1.0 + 0.8 * c + 0.5 * np.cos(np.radians(300)), 0.8 * s + 0.5 * np.sin(np.radians(300))
+    )
     against = np.hypot(1.0 + 0.8 * c + 0.5, 0.8 * s)
     found = radii(ROBOTS["planar_3r"])
     assert found[False] == {2.3}
@@ -102,14 +108,18 @@ def test_a_planar_arm_that_turns_all_round_is_singular_where_its_links_are_in_li
     robot = replace(ROBOTS["planar_3r"], parameters=parameters, limits=(TURN,) * 3)
     found = radii(robot)
     assert not found[True]
-    assert sorted(found[False]) == pytest.approx(sorted(abs(a + i * b + j * c) for i in (1, -1) for j in (1, -1)))
+    assert sorted(found[False]) == pytest.approx(
+        sorted(abs(a + i * b + j * c) for i in (1, -1) for j in (1, -1))
+    )
     assert (min(found[False]) == pytest.approx(hole)) == (hole > 0)
 
 
 def test_a_slide_of_three_joints_is_held_at_its_ends():
     """Two turning joints and a slide: the ring between both ends of the stroke, seen from the elbow's reach."""
     rows = (("q1", "0", "l1", "0"), ("q2", "0", "0", "pi/2"), ("0", "q3", "0", "0"))
-    robot = Robot("rrp", "RRP", {"l1": 1.0}, rows, (TURN, TURN, (0.2, 0.5)), "chosen here", task_rows=(0, 1))
+    robot = Robot(
+        "rrp", "RRP", {"l1": 1.0}, rows, (TURN, TURN, (0.2, 0.5)), "chosen here", task_rows=(0, 1)
+    )
     assert sorted(radii(robot)[True]) == pytest.approx([0.5, 1.5])
 
 
@@ -146,4 +156,6 @@ def test_a_curve_is_a_boundary_where_the_cell_beside_it_is_empty():
     extent = (0.0, 10.0, 0.0, 10.0)
     assert beside_empty(image, extent, upwards).all()
     assert not beside_empty(image, extent, upwards - [2.0, 0.0]).any()
-    assert beside_empty(image, extent, upwards - [4.9, 0.0]).all()  # beyond the picture nothing is reached
+    assert beside_empty(
+        image, extent, upwards - [4.9, 0.0]
+    ).all()  # beyond the picture nothing is reached

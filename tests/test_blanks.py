@@ -8,13 +8,12 @@ from typing import Any
 
 import numpy as np
 import pytest
-from answers import EXERCISES, kinds_of, variant_of
+from answers import EXERCISES, answer_code, kinds_of, variant_of
 from courses import exercise_of, notebook
-from kinegrade.course.blanks import answer_code, blank, form, self_check
 from kinegrade.course.demo import fill_in
-from kinegrade.course.submissions import Submission
+from kinegrade.course.sheet.self_check import self_check
+from kinegrade.course.sheet.submissions import Submission
 from kinegrade.exercises.answers import (
-    Answer,
     Choice,
     Conditions,
     Configurations,
@@ -25,8 +24,9 @@ from kinegrade.exercises.answers import (
     TableOf,
 )
 from kinegrade.exercises.exercise import Outcome, Part, references
-from kinegrade.grader.ask import Limits
-from kinegrade.grader.mark import mark
+from kinegrade.grader.collecting.ask import Limits
+from kinegrade.grader.kinds.markers import MARKERS
+from kinegrade.grader.marking.mark import mark
 from kinegrade.solutions.table import read_table
 
 
@@ -49,12 +49,21 @@ KINDS = {
     "a table": (TableOf(("l1",), "RP"), read_table(ROWS, ("l1", "q1", "q2"))),
     "one formula": (Formulas((), ("l1", "q1")), "l1*cos(q1) - 1"),
     "formulas": (Formulas((2,), ("l1", "q1")), ["l1*cos(q1)", "0.5"]),
-    "a matrix of formulas": (Formulas((2, 2), ("l1", "q1")), [["cos(q1)", "-sin(q1)"], ["l1", "0"]]),
+    "a matrix of formulas": (
+        Formulas((2, 2), ("l1", "q1")),
+        [["cos(q1)", "-sin(q1)"], ["l1", "0"]],
+    ),
     "a choice": (Choice(("it's one", "another", "none")), "b"),
-    "conditions": (Conditions(("q1", "q2"), lambda _: {"q1": (-3.2, 3.2), "q2": (-3.2, 3.2)}), ["sin(q2)"]),
+    "conditions": (
+        Conditions(("q1", "q2"), lambda _: {"q1": (-3.2, 3.2), "q2": (-3.2, 3.2)}),
+        ["sin(q2)"],
+    ),
     "angles": (Configurations(1), [0.0, np.pi]),
     "configurations": (Configurations(2), [[0.0, np.pi], [np.pi, 0.0]]),
-    "a function": (Function("(x)", lambda _: {"small": [(1.5,), ([1, 2],)], "none": [([],)]}), doubled),
+    "a function": (
+        Function("(x)", lambda _: {"small": [(1.5,), ([1, 2],)], "none": [([],)]}),
+        doubled,
+    ),
     "text": (Manual(((3.0, "a reason"),)), 'It\'s "so",\nand so.'),
 }
 FORMS = {
@@ -78,7 +87,9 @@ def one(kind):
     """An exercise with one part of a kind."""
     answer, value = KINDS[kind]
     check = judged if isinstance(answer, Configurations) else None
-    return exercise_of(Part("t_x", "x?", 3, answer, lambda *_: value, check=check), draw=lambda _: V)
+    return exercise_of(
+        Part("t_x", "x?", 3, answer, lambda *_: value, check=check), draw=lambda _: V
+    )
 
 
 def marked(exercise, v, *cells):
@@ -98,34 +109,34 @@ def self_checked(exercise, code):
 
 def test_every_kind_of_answer_is_looked_at():
     kinds = {type(answer) for answer, _ in KINDS.values()}
-    assert kinds == set(Answer.__args__)
+    assert kinds == set(MARKERS)
     assert set().union(*map(kinds_of, EXERCISES.values())) <= kinds
 
 
 @pytest.mark.parametrize("kind", FORMS)
 def test_a_blank_says_what_is_asked(kind):
     (part,) = one(kind).asked
-    assert form(part) == FORMS[kind]
-    assert blank(part) == f"t_x = ...  # {FORMS[kind]}"
+    assert part.answer.form == FORMS[kind]
+    assert part.answer.blank(part.variable) == f"t_x = ...  # {FORMS[kind]}"
 
 
 def test_the_blank_of_a_function_is_a_function():
     (part,) = one("a function").asked
-    assert blank(part) == "def t_x(x):\n    ..."
+    assert part.answer.blank(part.variable) == "def t_x(x):\n    ..."
 
 
 def test_the_blank_of_what_is_done_on_paper_says_so():
     part = Part("t_x", "x?", 3, Manual(((3.0, "a sketch"),), on_paper=True), lambda *_: "key")
-    assert blank(part) == "t_x = ...  # on paper"
-    assert self_checked(exercise_of(part), blank(part)) == {}
+    assert part.answer.blank(part.variable) == "t_x = ...  # on paper"
+    assert self_checked(exercise_of(part), part.answer.blank(part.variable)) == {}
 
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_a_blank_is_not_answered(kind):
     exercise = one(kind)
     (part,) = exercise.asked
-    assert self_checked(exercise, blank(part)) == {"t_x": "not answered yet"}
-    verdict = marked(exercise, V, blank(part))["t_x"]
+    assert self_checked(exercise, part.answer.blank(part.variable)) == {"t_x": "not answered yet"}
+    verdict = marked(exercise, V, part.answer.blank(part.variable))["t_x"]
     assert (verdict.status, verdict.points) == ("missing", 0)
 
 
@@ -201,7 +212,7 @@ def test_the_self_check_says_what_is_there(kind, value, words):
 
 def test_the_self_check_of_a_sheet_names_every_part_but_those_on_paper(exercise):
     asked = [p for p in exercise.asked if not (isinstance(p.answer, Manual) and p.answer.on_paper)]
-    blanks = "\n".join(blank(part) for part in exercise.asked)
+    blanks = "\n".join(part.answer.blank(part.variable) for part in exercise.asked)
     assert self_checked(exercise, blanks) == {part.variable: "not answered yet" for part in asked}
     assert self_checked(exercise, "") == {part.variable: "not answered yet" for part in asked}
 
@@ -216,7 +227,9 @@ def test_filled_in_where_the_blanks_stand_references_earn_full_marks(exercise):
     v = variant_of(exercise.slug, 1)
     answers = references(exercise, v)
     codes = {part.variable: answer_code(part, answers[part.variable]) for part in exercise.asked}
-    sheet = notebook("import numpy as np", *(blank(part) for part in exercise.asked))
+    sheet = notebook(
+        "import numpy as np", *(part.answer.blank(part.variable) for part in exercise.asked)
+    )
     submission = Submission(Path("one.ipynb"), fill_in(sheet, codes))
     verdicts = mark(exercise, v, submission.raws(submission.asks(exercise, v), Limits()))
     for part, verdict in zip(exercise.asked, verdicts, strict=True):

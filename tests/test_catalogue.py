@@ -1,8 +1,8 @@
 """Exercise files are found and loaded from anywhere, and a broken one says what is wrong with it."""
 
 import pytest
-from kinegrade.exercises.catalogue import exercise_files, find, load
 from kinegrade.exercises.exercise import ExerciseError
+from kinegrade.exercises.files.finding import exercise_files, find, load
 
 GOOD = """
 import numpy as np

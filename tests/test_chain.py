@@ -78,7 +78,13 @@ def test_entries_that_are_merely_small_are_kept():
 
 @pytest.mark.parametrize("scale", [1e-20, 1e-6, 1.0, 1e6, 1e20])
 def test_lengths_are_snapped_as_shares_of_the_longest(scale: float):
-    fixed = np.array([elementary("Tx", 0.3), elementary("Ty", 3e-15), elementary("Tz", 1.5e-15) @ elementary("Tx", 2)])
+    fixed = np.array(
+        [
+            elementary("Tx", 0.3),
+            elementary("Ty", 3e-15),
+            elementary("Tz", 1.5e-15) @ elementary("Tx", 2),
+        ]
+    )
     fixed[:, :3, 3] *= scale
     kept = Chain(fixed, "RR").fixed[:, :3, 3]
     np.testing.assert_array_equal(kept[:2], fixed[:2, :3, 3])
@@ -96,7 +102,9 @@ def test_an_arm_of_any_size_has_the_same_jacobian_in_its_own_lengths(robot: Robo
         J = jacobian(robot.chain(), q, frame)
         there = np.where(slides, scale * q, q)
         np.testing.assert_allclose(jacobian(other, there, frame) / unit, J, rtol=0, atol=1e-14)
-        np.testing.assert_allclose(jacobian(other, there[0], frame) / unit, J[0], rtol=0, atol=1e-14)
+        np.testing.assert_allclose(
+            jacobian(other, there[0], frame) / unit, J[0], rtol=0, atol=1e-14
+        )
     assert [x.size for x in map(np.flatnonzero, other.fixed)] == [
         x.size for x in map(np.flatnonzero, robot.chain().fixed)
     ]
@@ -111,7 +119,10 @@ def test_the_constants_are_read_only_and_a_copy():
         chain.fixed[0, 0, 3] = 1.0
 
 
-@pytest.mark.parametrize("duplicate", [copy.deepcopy, lambda chain: pickle.loads(pickle.dumps(chain))])  # noqa: S301
+@pytest.mark.parametrize(
+    "duplicate",
+    [copy.deepcopy, lambda chain: pickle.loads(pickle.dumps(chain))],  # noqa: S301 - our own
+)
 def test_a_chain_travels_between_processes_after_it_was_used(duplicate: Callable[[Chain], Chain]):
     chain = from_standard(ROWS, "RPR")
     J = jacobian(chain, [0.1, 0.2, 0.3])
@@ -130,7 +141,9 @@ def test_chains_are_compared_by_identity():
 def test_elementary_motions_have_the_shape_of_their_amounts(motion: str):
     assert elementary(motion, 0.2).shape == (4, 4)
     assert elementary(motion, np.zeros((5, 3))).shape == (5, 3, 4, 4)
-    np.testing.assert_allclose(elementary(motion, 0.2) @ elementary(motion, -0.2), np.eye(4), atol=1e-16)
+    np.testing.assert_allclose(
+        elementary(motion, 0.2) @ elementary(motion, -0.2), np.eye(4), atol=1e-16
+    )
 
 
 def test_rotations_are_right_handed():
@@ -146,18 +159,45 @@ PROJECTIVE = np.eye(4) + np.diag([0, 0, 0.1], -1)
 @pytest.mark.parametrize(
     ("make", "sentence"),
     [
-        (lambda: Chain(np.eye(4)[None], ""), r"kinds takes one letter R or P for each joint, got ''"),
-        (lambda: Chain(np.array([np.eye(4)] * 3), "RX"), r"kinds takes one letter R or P for each joint, got 'RX'"),
-        (lambda: Chain(np.array([np.eye(4)] * 3), "R"), r"fixed takes shape \(2, 4, 4\).*got \(3, 4, 4\)"),
-        (lambda: Chain(np.array([np.eye(4), LEFT]), "R"), r"fixed\[1\] takes a right-handed rotation"),
-        (lambda: Chain(np.array([SHEARED, np.eye(4)]), "R"), r"fixed\[0\] takes a right-handed rotation"),
+        (
+            lambda: Chain(np.eye(4)[None], ""),
+            r"kinds takes one letter R or P for each joint, got ''",
+        ),
+        (
+            lambda: Chain(np.array([np.eye(4)] * 3), "RX"),
+            r"kinds takes one letter R or P for each joint, got 'RX'",
+        ),
+        (
+            lambda: Chain(np.array([np.eye(4)] * 3), "R"),
+            r"fixed takes shape \(2, 4, 4\).*got \(3, 4, 4\)",
+        ),
+        (
+            lambda: Chain(np.array([np.eye(4), LEFT]), "R"),
+            r"fixed\[1\] takes a right-handed rotation",
+        ),
+        (
+            lambda: Chain(np.array([SHEARED, np.eye(4)]), "R"),
+            r"fixed\[0\] takes a right-handed rotation",
+        ),
         (lambda: Chain(np.array([np.eye(4), PROJECTIVE]), "R"), r"fixed\[1\] takes the last row"),
-        (lambda: from_standard([[0, 0, 0, math.nan]], "R"), "rows takes finite numbers, got NaN or infinity"),
-        (lambda: from_standard([[0, 0, 0]], "R"), r"rows takes shape \(1, 4\) for kinds 'R', got \(1, 3\)"),
+        (
+            lambda: from_standard([[0, 0, 0, math.nan]], "R"),
+            "rows takes finite numbers, got NaN or infinity",
+        ),
+        (
+            lambda: from_standard([[0, 0, 0]], "R"),
+            r"rows takes shape \(1, 4\) for kinds 'R', got \(1, 3\)",
+        ),
         (lambda: from_standard([], ""), r"rows takes shape"),
         (lambda: from_modified([[0, 0, 0, "a"]], "R"), "rows takes real numbers"),
-        (lambda: from_modified(ROWS, "RRR", tool=np.eye(3)), r"tool takes shape \(4, 4\), got \(3, 3\)"),
-        (lambda: from_frames([np.eye(4)], "RR"), r"placements takes shape \(2, 4, 4\), got \(1, 4, 4\)"),
+        (
+            lambda: from_modified(ROWS, "RRR", tool=np.eye(3)),
+            r"tool takes shape \(4, 4\), got \(3, 3\)",
+        ),
+        (
+            lambda: from_frames([np.eye(4)], "RR"),
+            r"placements takes shape \(2, 4, 4\), got \(1, 4, 4\)",
+        ),
         (lambda: elementary("Rw", 1.0), "motion takes one of Rx, Ry, Rz, Tx, Ty, Tz, got 'Rw'"),
     ],
 )
@@ -191,7 +231,11 @@ def test_a_wrong_configuration_is_refused_with_a_sentence(q: Any, sentence: str)
 @pytest.mark.parametrize("shape", [(), (4,), (0,), (2, 3), (2, 0)])
 def test_results_have_the_documented_shapes(shape: tuple[int, ...]):
     chain, q = from_standard(ROWS, "RRP"), np.zeros((*shape, 3), dtype=int)
-    for result, tail in ((forward(chain, q), (4, 4)), (frames(chain, q), (4, 4, 4)), (jacobian(chain, q), (6, 3))):
+    for result, tail in (
+        (forward(chain, q), (4, 4)),
+        (frames(chain, q), (4, 4, 4)),
+        (jacobian(chain, q), (6, 3)),
+    ):
         assert result.shape == (*shape, *tail)
         assert result.dtype == np.float64
         assert result.flags.c_contiguous

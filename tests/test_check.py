@@ -6,17 +6,16 @@ import shutil
 
 import numpy as np
 import pytest
-from answers import EXERCISES, SLUGS, flat, part_of, telling, variant_of, wrong_code
+from answers import EXERCISES, SLUGS, answer_code, flat, part_of, telling, variant_of, wrong_code
 from courses import BUNDLED, handed_out, make_course, notebook
-from kinegrade.course.blanks import answer_code, blank
 from kinegrade.course.check import _told, check_file, read_handout, with_samples
 from kinegrade.course.config import CourseError
 from kinegrade.course.demo import fill_in
 from kinegrade.course.gradebook import Gradebook
-from kinegrade.course.notebook import printed
+from kinegrade.course.sheet.notebook import printed
 from kinegrade.exercises.exercise import ExerciseError, Function, references
-from kinegrade.grader.own_work import Remark
-from kinegrade.grader.verdict import Finding, Verdict, not_graded
+from kinegrade.grader.marking.own_work import Remark
+from kinegrade.grader.marking.verdict import Finding, Verdict, not_graded
 
 MODES = ("practice", "graded", "exam")
 
@@ -26,18 +25,29 @@ SEED = 5  # other numbers than those that stand in for hidden ones
 
 def about(mode, *slugs):
     numbers = {slug: printed(EXERCISES[slug], variant_of(slug, SEED)) for slug in slugs or ("rrt",)}
-    return {"sheet": "one", "student": "ada", "mode": mode, "exercises": list(numbers), "numbers": numbers}
+    return {
+        "sheet": "one",
+        "student": "ada",
+        "mode": mode,
+        "exercises": list(numbers),
+        "numbers": numbers,
+    }
 
 
 def solved(
-    mode, spoil=lambda _, answer: answer, slugs=("rrt",), code=lambda part, answer, _: answer_code(part, answer)
+    mode,
+    spoil=lambda _, answer: answer,
+    slugs=("rrt",),
+    code=lambda part, answer, _: answer_code(part, answer),
 ):
     """The bytes of a notebook that answers everything; `spoil` changes answers, `code` writes them."""
     cells = []
     for slug in slugs:
         exercise, v = EXERCISES[slug], variant_of(slug, SEED)
         answers = references(exercise, v)
-        cells += [code(part, spoil(part.variable, answers[part.variable]), v) for part in exercise.asked]
+        cells += [
+            code(part, spoil(part.variable, answers[part.variable]), v) for part in exercise.asked
+        ]
     return notebook("import numpy as np", *cells, about=about(mode, *slugs))
 
 
@@ -56,7 +66,9 @@ def negated(name):
 def test_right_answers_are_fine_in_every_mode(tmp_path, mode):
     handout, found = checked(tmp_path, solved(mode, slugs=BUNDLED))
     assert (handout.sheet, handout.mode) == ("one", mode)
-    assert [remark.part for remark in found] == [part.variable for slug in BUNDLED for part in EXERCISES[slug].asked]
+    assert [remark.part for remark in found] == [
+        part.variable for slug in BUNDLED for part in EXERCISES[slug].asked
+    ]
     assert all(remark.ok for remark in found)
 
 
@@ -79,14 +91,22 @@ def test_a_wrong_answer_is_told_as_the_mode_allows(tmp_path, mode, ok, words):
 def test_a_graded_sheet_does_not_tell_whether_answers_are_right(tmp_path):
     """All of it is wrong, and each follows from the one before."""
     exercise, v = EXERCISES["three_axis"], variant_of("three_axis", SEED)
-    given = {"three_axis_p": references(exercise, v)["three_axis_p"] + 0.25, "three_axis_z": -np.eye(3)}
+    given = {
+        "three_axis_p": references(exercise, v)["three_axis_p"] + 0.25,
+        "three_axis_z": -np.eye(3),
+    }
     for part in exercise.parts:
         if part.variable not in given:
             given[part.variable] = part.solve(v, given)
     cells = [answer_code(part, given[part.variable]) for part in exercise.asked]
-    _, found = checked(tmp_path, notebook("import numpy as np", *cells, about=about("graded", "three_axis")))
+    _, found = checked(
+        tmp_path, notebook("import numpy as np", *cells, about=about("graded", "three_axis"))
+    )
     assert all(remark.ok for remark in found)
-    assert all(re.fullmatch(r"can be read( and follows from your own .*)?", remark.text) for remark in found)
+    assert all(
+        re.fullmatch(r"can be read( and follows from your own .*)?", remark.text)
+        for remark in found
+    )
 
 
 @pytest.mark.parametrize("mode", MODES)
@@ -106,10 +126,14 @@ def test_no_reference_value_is_ever_told(tmp_path, mode):
 
 
 def test_what_is_private_is_not_told_either():
-    verdict = Verdict("rrt_J", "partly", 1.0, 4, (Finding("open"), Finding("like ben's", private=True)), "as read")
+    verdict = Verdict(
+        "rrt_J", "partly", 1.0, 4, (Finding("open"), Finding("like ben's", private=True)), "as read"
+    )
     told = _told(verdict)
     assert (told.ok, told.text) == (False, "partly correct: as read open")
-    assert _told(not_graded("rrt_J", 4, "It waits.")) == Remark("rrt_J", ok=True, text="not graded yet: It waits.")
+    assert _told(not_graded("rrt_J", 4, "It waits.")) == Remark(
+        "rrt_J", ok=True, text="not graded yet: It waits."
+    )
 
 
 @pytest.mark.parametrize("mode", MODES)
@@ -124,7 +148,9 @@ def test_what_cannot_be_read_is_told_in_every_mode(tmp_path, mode):
         "inverse_velocities_elbow = 'x'": "akes",
         "implement_it_jacobian = 'x'": "akes a function",
     }
-    _, found = checked(tmp_path, notebook(*words, about=about(mode, "rrt", "inverse_velocities", "implement_it")))
+    _, found = checked(
+        tmp_path, notebook(*words, about=about(mode, "rrt", "inverse_velocities", "implement_it"))
+    )
     told = {remark.part: remark for remark in found}
     for cell, text in words.items():
         remark = told[cell.split()[0]]
@@ -172,10 +198,15 @@ def test_numbers_that_stand_in_for_hidden_ones_are_those_of_another_draw():
 def test_hidden_numbers_stand_nowhere_in_what_is_handed_out(tmp_path):
     assert HIDING
     slugs = tuple(exercise.slug for exercise in HIDING)
-    course = handed_out(make_course(tmp_path, exercises=slugs, students=[("ada", "Ada")], more="matlab = true\n"))
+    course = handed_out(
+        make_course(tmp_path, exercises=slugs, students=[("ada", "Ada")], more="matlab = true\n")
+    )
     released = course.folder / "released" / "ada"
     handout = read_handout(released / "one.ipynb")
-    texts = [re.sub(r"data:image/[^\"]+", "", path.read_text(encoding="utf-8")) for path in sorted(released.iterdir())]
+    texts = [
+        re.sub(r"data:image/[^\"]+", "", path.read_text(encoding="utf-8"))
+        for path in sorted(released.iterdir())
+    ]
     assert len(texts) == 2  # the notebook and the script
     for exercise in HIDING:
         v = drawn(course, exercise.slug)
@@ -195,7 +226,9 @@ def drawn(course, slug):
     return record.numbers
 
 
-@pytest.mark.parametrize(("mode", "said"), [*zip(MODES, ("correct", "can be read", "can be read"), strict=True)])
+@pytest.mark.parametrize(
+    ("mode", "said"), [*zip(MODES, ("correct", "can be read", "can be read"), strict=True)]
+)
 def test_a_function_is_checked_without_the_hidden_numbers(tmp_path, mode, said):
     exercise, part, _ = hiding_function()
     right, by_hand = checked(tmp_path, solved(mode, slugs=(exercise.slug,)))[1]
@@ -203,8 +236,10 @@ def test_a_function_is_checked_without_the_hidden_numbers(tmp_path, mode, said):
     assert right.text.startswith(said)
     assert by_hand.ok
     assert "marked by hand" in by_hand.text
-    nothing = blank(part)
-    found, *_ = checked(tmp_path, notebook("import numpy as np", nothing, about=about(mode, exercise.slug)))[1]
+    nothing = part.answer.blank(part.variable)
+    found, *_ = checked(
+        tmp_path, notebook("import numpy as np", nothing, about=about(mode, exercise.slug))
+    )[1]
     assert (found.ok, "not answered" in found.text) == (False, True)
 
 
@@ -222,7 +257,9 @@ def test_published_results_are_checked_with_the_sheets_own_numbers(tmp_path):
     sheet = tmp_path / "sheet.ipynb"
     sheet.write_bytes(notebook(about=about("practice", exercise.slug)))
     function = references(exercise, v)[part.variable]
-    results = [function(*call).tolist() for group in part.answer.published(v).values() for call in group]
+    results = [
+        function(*call).tolist() for group in part.answer.published(v).values() for call in group
+    ]
     for changed, ok in ((results, True), (results[::-1], False)):
         data = json.dumps({part.variable: changed}).encode()
         found, *_ = checked(tmp_path, data, name="mine.json", sheet=sheet)[1]
@@ -243,12 +280,15 @@ def test_published_results_are_checked_with_the_sheets_own_numbers(tmp_path):
     ],
 )
 def test_a_file_that_does_not_say_its_sheet_gets_told_what_to_do(tmp_path, data):
-    with pytest.raises(CourseError, match=r"does not say which sheet it belongs to .* --sheet HANDED_OUT.ipynb"):
+    with pytest.raises(
+        CourseError, match=r"does not say which sheet it belongs to .* --sheet HANDED_OUT.ipynb"
+    ):
         checked(tmp_path, data)
 
 
 @pytest.mark.parametrize(
-    "change", [{"mode": "open"}, {"numbers": [1]}, {"numbers": {"rrt": 1}}, {"exercises": 3}, {"mode": []}]
+    "change",
+    [{"mode": "open"}, {"numbers": [1]}, {"numbers": {"rrt": 1}}, {"exercises": 3}, {"mode": []}],
 )
 def test_damaged_metadata_are_refused(tmp_path, change):
     with pytest.raises(CourseError, match="does not say which sheet"):
@@ -259,7 +299,9 @@ def test_damaged_metadata_are_refused(tmp_path, change):
 def test_damaged_numbers_are_named(tmp_path, v):
     data = json.loads(solved("practice"))
     data["metadata"]["kinegrade"]["numbers"]["rrt"] = v
-    with pytest.raises(CourseError, match=r"one.ipynb: the numbers of rrt in this sheet are damaged"):
+    with pytest.raises(
+        CourseError, match=r"one.ipynb: the numbers of rrt in this sheet are damaged"
+    ):
         checked(tmp_path, json.dumps(data).encode())
 
 
@@ -283,7 +325,10 @@ def practice(tmp_path, monkeypatch):
     home = tmp_path / "home"
     home.mkdir()
     monkeypatch.chdir(home)
-    content = fill_in((course.folder / "released" / "ada" / "one.ipynb").read_bytes(), {"lever_p": "lever_p = [9, 9]"})
+    content = fill_in(
+        (course.folder / "released" / "ada" / "one.ipynb").read_bytes(),
+        {"lever_p": "lever_p = [9, 9]"},
+    )
     (home / "one.ipynb").write_bytes(content)
     return home / "one.ipynb", course.folder / "exercises"
 
@@ -296,7 +341,9 @@ LEVER_TOLD = [("lever_p", "incorrect"), ("lever_J", "not answered")]
 
 
 @pytest.mark.parametrize("where", ["beside the notebook", "in this folder", "named"])
-def test_a_courses_own_exercise_is_checked_where_the_student_has_its_file(practice, tmp_path, monkeypatch, where):
+def test_a_courses_own_exercise_is_checked_where_the_student_has_its_file(
+    practice, tmp_path, monkeypatch, where
+):
     path, exercises = practice
     if where == "named":
         assert told(check_file(path, None, exercises)[1]) == LEVER_TOLD
@@ -305,17 +352,22 @@ def test_a_courses_own_exercise_is_checked_where_the_student_has_its_file(practi
         (tmp_path / "elsewhere").mkdir()
         monkeypatch.chdir(tmp_path / "elsewhere")
     shutil.copytree(
-        exercises, (path.parent if where == "beside the notebook" else tmp_path / "elsewhere") / "exercises"
+        exercises,
+        (path.parent if where == "beside the notebook" else tmp_path / "elsewhere") / "exercises",
     )
     assert told(check_file(path)[1]) == LEVER_TOLD
 
 
 def test_without_the_file_it_says_where_it_looked(practice, tmp_path):
     path, _ = practice
-    with pytest.raises(CourseError, match=r"none of its exercises is installed here: lever; nor is there a folder"):
+    with pytest.raises(
+        CourseError, match=r"none of its exercises is installed here: lever; nor is there a folder"
+    ):
         check_file(path)
     (path.parent / "exercises").mkdir()
-    with pytest.raises(CourseError, match=r"lever; nor in .*exercises \(--exercises DIR, if you were given"):
+    with pytest.raises(
+        CourseError, match=r"lever; nor in .*exercises \(--exercises DIR, if you were given"
+    ):
         check_file(path)
     with pytest.raises(CourseError, match=r"nowhere is no folder; --exercises takes the one with"):
         check_file(path, None, tmp_path / "nowhere")
@@ -324,7 +376,9 @@ def test_without_the_file_it_says_where_it_looked(practice, tmp_path):
 def test_a_file_of_the_course_that_cannot_be_run_is_named(practice):
     path, exercises = practice
     (exercises / "lever.py").write_text("EXERCISE = 1 / 0\n", encoding="utf-8")
-    with pytest.raises(ExerciseError, match=r"lever.py: the exercise file stopped with ZeroDivisionError"):
+    with pytest.raises(
+        ExerciseError, match=r"lever.py: the exercise file stopped with ZeroDivisionError"
+    ):
         check_file(path, None, exercises)
 
 
@@ -333,7 +387,9 @@ def test_an_exercise_file_that_was_handed_in_is_not_run(practice, tmp_path, monk
     path, exercises = practice
     theirs = tmp_path / "course" / "submitted" / "ada"
     (theirs / "exercises").mkdir(parents=True)
-    (theirs / "exercises" / "lever.py").write_text("raise RuntimeError('hostile')\nEXERCISE = 1\n", encoding="utf-8")
+    (theirs / "exercises" / "lever.py").write_text(
+        "raise RuntimeError('hostile')\nEXERCISE = 1\n", encoding="utf-8"
+    )
     shutil.copy(path, theirs / "one.ipynb")
     monkeypatch.chdir(theirs if inside else exercises.parent)
     if inside:
@@ -346,7 +402,10 @@ def test_an_exercise_file_that_was_handed_in_is_not_run(practice, tmp_path, monk
 def test_the_command_takes_a_folder_of_exercises(practice, kinegrade):
     path, exercises = practice
     ran = kinegrade("check", path, "--exercises", exercises)
-    assert (ran.code, ran.out.splitlines()[0].split(":")[0].split()) == (1, ["✗", "lever_p", "incorrect"])
+    assert (ran.code, ran.out.splitlines()[0].split(":")[0].split()) == (
+        1,
+        ["✗", "lever_p", "incorrect"],
+    )
 
 
 def test_files_that_cannot_be_read_are_named(tmp_path):
@@ -354,7 +413,9 @@ def test_files_that_cannot_be_read_are_named(tmp_path):
         check_file(tmp_path / "nowhere.ipynb")
     with pytest.raises(CourseError, match=r"gone.ipynb cannot be read: No such file"):
         checked(tmp_path, solved("graded"), sheet=tmp_path / "gone.ipynb")
-    with pytest.raises(CourseError, match=r"one.docx: a submission takes one of the endings .ipynb, .json, .csv"):
+    with pytest.raises(
+        CourseError, match=r"one.docx: a submission takes one of the endings .ipynb, .json, .csv"
+    ):
         checked(tmp_path, b"PK", name="one.docx")
 
 

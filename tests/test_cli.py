@@ -79,8 +79,13 @@ def test_init_prints_the_files_it_wrote(kinegrade, tmp_path):
 
 def test_generate_prints_what_is_new_and_only_that(kinegrade, tmp_path):
     make_course(tmp_path)
-    first, second = kinegrade("generate", "-c", tmp_path), kinegrade("generate", "one", "-c", tmp_path)
-    assert first.out.splitlines() == [str(tmp_path / "released" / student / "one.ipynb") for student, _ in CLASS]
+    first, second = (
+        kinegrade("generate", "-c", tmp_path),
+        kinegrade("generate", "one", "-c", tmp_path),
+    )
+    assert first.out.splitlines() == [
+        str(tmp_path / "released" / student / "one.ipynb") for student, _ in CLASS
+    ]
     assert "3 new, 0 left as they were released." in first.err
     assert (first.code, second.code, second.out) == (0, 0, "")
     assert "0 new, 3 left" in second.err
@@ -104,7 +109,12 @@ def test_grade_prints_a_table_and_writes_grades_feedback_and_report(kinegrade, f
     found = grades(folder)
     assert [found[student]["points"] for student in ("ada", "ben", "cyd")] == ["5", "0", ""]
     written = set(files_of(folder))
-    assert {"feedback/ada/one.html", "feedback/ben/one.html", "report/index.html", "gradebook.sqlite"} <= written
+    assert {
+        "feedback/ada/one.html",
+        "feedback/ben/one.html",
+        "report/index.html",
+        "gradebook.sqlite",
+    } <= written
     assert "feedback/cyd/one.html" not in written
 
 
@@ -128,7 +138,12 @@ def test_grade_prints_json_where_a_script_asks(kinegrade, folder):
 def test_report_writes_the_same_from_the_gradebook_alone(kinegrade, folder):
     kinegrade("grade", "-c", folder)
     before, page = grades(folder), (folder / "feedback" / "ada" / "one.html").read_bytes()
-    for name in ("grades.csv", "report/index.html", "feedback/ada/one.html", "submitted/ada/one.json"):
+    for name in (
+        "grades.csv",
+        "report/index.html",
+        "feedback/ada/one.html",
+        "submitted/ada/one.json",
+    ):
         (folder / name).unlink()
     ran = kinegrade("report", "-c", folder)
     assert (ran.code, ran.out) == (0, f"{folder / 'report' / 'index.html'}\n")
@@ -172,9 +187,14 @@ def test_who_is_not_on_the_roster_is_mentioned(kinegrade, folder):
 def test_a_changed_reference_waits_until_it_is_accepted(kinegrade, folder):
     kinegrade("grade", "-c", folder)
     path = folder / "exercises" / "lever.py"
-    path.write_text(path.read_text(encoding="utf-8").replace("np.array([-y, x])", "np.array([y, x])"), encoding="utf-8")
+    path.write_text(
+        path.read_text(encoding="utf-8").replace("np.array([-y, x])", "np.array([y, x])"),
+        encoding="utf-8",
+    )
     waiting = kinegrade("grade", "-c", folder)
-    assert ["ada", "✓?", "2", "+", "?", "/", "5"] in [line.split()[:7] for line in waiting.out.splitlines()]
+    assert ["ada", "✓?", "2", "+", "?", "/", "5"] in [
+        line.split()[:7] for line in waiting.out.splitlines()
+    ]
     assert "--accept-change" in waiting.out
     assert grades(folder)["ada"]["points"] == ""
     accepted = kinegrade("grade", "--accept-change", "-c", folder)
@@ -183,11 +203,17 @@ def test_a_changed_reference_waits_until_it_is_accepted(kinegrade, folder):
     assert kinegrade("grade", "-c", folder).out == accepted.out
 
 
-def test_an_exception_that_every_submission_meets_is_said_once_with_its_count(kinegrade, folder, monkeypatch):
+def test_an_exception_that_every_submission_meets_is_said_once_with_its_count(
+    kinegrade, folder, monkeypatch
+):
     monkeypatch.delenv("KINEGRADE_DEBUG", raising=False)
     path = folder / "exercises" / "lever.py"
-    text = path.read_text(encoding="utf-8").replace('needs=("lever_p",))', 'needs=("lever_p",), check=judged)')
-    text = text.replace("EXERCISE = ", "def judged(v, given, value):\n    return v['width']\n\n\nEXERCISE = ")
+    text = path.read_text(encoding="utf-8").replace(
+        'needs=("lever_p",))', 'needs=("lever_p",), check=judged)'
+    )
+    text = text.replace(
+        "EXERCISE = ", "def judged(v, given, value):\n    return v['width']\n\n\nEXERCISE = "
+    )
     path.write_text(text, encoding="utf-8")
     for student, _ in CLASS:
         hand_in(read_course(folder), student, right_answers(read_course(folder), student))
@@ -230,7 +256,10 @@ BAD_COURSES = {
         lambda folder: (folder / "roster.csv").write_text("id,name\n"),
         "the column 'student' is missing",
     ),
-    "bad id": (lambda folder: add(folder / "roster.csv", "../x,X\n"), "line 5: a student takes an id of letters"),
+    "bad id": (
+        lambda folder: add(folder / "roster.csv", "../x,X\n"),
+        "line 5: a student takes an id of letters",
+    ),
     "unknown exercise": (
         lambda folder: make_course(folder, exercises=("lefer",)),
         "there is no exercise 'lefer'; did you mean 'lever'?",
@@ -266,13 +295,17 @@ def test_a_roster_without_students_is_one_sentence(kinegrade, tmp_path):
 
 
 def test_an_unknown_sheet_is_one_sentence(kinegrade, folder):
-    assert "there is no sheet 'on' (did you mean 'one'?)" in complaint(kinegrade("grade", "on", "-c", folder))
+    assert "there is no sheet 'on' (did you mean 'one'?)" in complaint(
+        kinegrade("grade", "on", "-c", folder)
+    )
 
 
 def test_init_and_demo_leave_another_course_alone(kinegrade, folder):
     before = files_of(folder)
     assert "init never overwrites a course" in complaint(kinegrade("init", folder))
-    assert "a course that is not the demonstration; name another folder" in complaint(kinegrade("demo", folder))
+    assert "a course that is not the demonstration; name another folder" in complaint(
+        kinegrade("demo", folder)
+    )
     assert files_of(folder) == before
 
 
@@ -285,7 +318,9 @@ def test_a_gradebook_of_a_later_version_is_one_sentence(kinegrade, folder):
     with sqlite3.connect(folder / "gradebook.sqlite") as connection:
         connection.execute("UPDATE meta SET value = '2'")
     connection.close()
-    assert "the gradebook has format 2; this version reads 1" in complaint(kinegrade("grade", "-c", folder))
+    assert "the gradebook has format 2; this version reads 1" in complaint(
+        kinegrade("grade", "-c", folder)
+    )
 
 
 def test_a_bad_submission_ends_with_0_and_everybody_else_is_marked(kinegrade, folder):
@@ -316,7 +351,9 @@ def test_check_ends_with_1_when_something_is_wrong_with_the_file(kinegrade, tmp_
     ran = kinegrade("check", handed_in(tmp_path, mode, "three_axis_A = [[1, 2], [3, 4]]"))
     assert ran.code == 1
     lines = [line.split(None, 2) for line in ran.out.splitlines()]
-    assert [line[:2] for line in lines] == [["✗", part.variable] for part in EXERCISES["three_axis"].asked]
+    assert [line[:2] for line in lines] == [
+        ["✗", part.variable] for part in EXERCISES["three_axis"].asked
+    ]
     assert "shape (3, 3)" in next(words for _, name, words in lines if name == "three_axis_A")
     assert ran.err.strip().startswith(mode.capitalize())
 
@@ -331,7 +368,12 @@ def test_check_ends_with_0_when_all_can_be_read_in_an_exam(kinegrade, tmp_path):
 
 def test_check_shows_where_a_formula_cannot_be_read(kinegrade, tmp_path):
     path = tmp_path / "mine.ipynb"
-    about = {"sheet": "one", "mode": "exam", "exercises": ["rrt"], "numbers": {"rrt": variant_of("rrt")}}
+    about = {
+        "sheet": "one",
+        "mode": "exam",
+        "exercises": ["rrt"],
+        "numbers": {"rrt": variant_of("rrt")},
+    }
     path.write_bytes(notebook("rrt_det = 'sin(q2) + wrong'", about=about))
     lines = kinegrade("check", path).out.splitlines()
     (first,) = (i for i, line in enumerate(lines) if line.startswith("✗ rrt_det "))
@@ -366,10 +408,18 @@ def test_plot_of_an_unknown_robot_is_one_sentence(kinegrade, tmp_path):
 
 def test_plot_writes_a_figure_and_says_what_it_shows(kinegrade, tmp_path, monkeypatch):
     drawn = []
-    monkeypatch.setattr("kinegrade.grader.maps.save", lambda arm, path: drawn.append((arm.name, path)))
-    monkeypatch.setattr("kinegrade.grader.maps.describe", lambda arm: f"What {arm.name} reaches.")
+    monkeypatch.setattr(
+        "kinegrade.grader.figures.maps.save", lambda arm, path: drawn.append((arm.name, path))
+    )
+    monkeypatch.setattr(
+        "kinegrade.grader.figures.maps.describe", lambda arm: f"What {arm.name} reaches."
+    )
     ran = kinegrade("plot", "planar_2r", "-o", tmp_path / "p.svg")
-    assert (ran.code, ran.out, ran.err) == (0, f"{tmp_path / 'p.svg'}\n", "What planar_2r reaches.\n")
+    assert (ran.code, ran.out, ran.err) == (
+        0,
+        f"{tmp_path / 'p.svg'}\n",
+        "What planar_2r reaches.\n",
+    )
     assert drawn == [("planar_2r", tmp_path / "p.svg")]
 
 
@@ -380,7 +430,9 @@ def failing(error):
     return fail
 
 
-def test_a_failure_of_ours_says_so_and_is_shown_in_full_only_on_request(kinegrade, tmp_path, monkeypatch):
+def test_a_failure_of_ours_says_so_and_is_shown_in_full_only_on_request(
+    kinegrade, tmp_path, monkeypatch
+):
     monkeypatch.setattr("kinegrade.course.new_course.write_course", failing(KeyError("oops")))
     monkeypatch.delenv("KINEGRADE_DEBUG", raising=False)
     ran = kinegrade("init", tmp_path)
@@ -394,7 +446,8 @@ def test_a_failure_of_ours_says_so_and_is_shown_in_full_only_on_request(kinegrad
 
 def test_a_full_disk_is_one_sentence(kinegrade, tmp_path, monkeypatch):
     monkeypatch.setattr(
-        "kinegrade.course.new_course.write_course", failing(OSError(28, "No space left on device", "a.toml"))
+        "kinegrade.course.new_course.write_course",
+        failing(OSError(28, "No space left on device", "a.toml")),
     )
     assert complaint(kinegrade("init", tmp_path)) == "a.toml: No space left on device"
 

@@ -8,9 +8,9 @@ from pathlib import Path
 import nbformat
 import numpy as np
 import pytest
-from kinegrade.grader import ask, wire
-from kinegrade.grader.ask import Ask, AskError, Limits
-from kinegrade.grader.collect import RUNNER, collect
+from kinegrade.grader.collecting import ask, wire
+from kinegrade.grader.collecting.ask import Ask, AskError, Limits
+from kinegrade.grader.collecting.collect import RUNNER, collect
 
 LIMITS = Limits(cell_seconds=20, notebook_seconds=60)  # nothing here is a race with the machine
 LOOPS = Limits(cell_seconds=1, notebook_seconds=60)
@@ -37,7 +37,10 @@ def value(raw):
         ("import numpy as np\nx = np.eye(3, dtype='float32')", np.eye(3)),
         ("import numpy as np\nx = [np.eye(2), np.zeros((2, 2))]", [np.eye(2), np.zeros((2, 2))]),
         ("import numpy as np\nx = np.matrix('1 2; 3 4')", [[1, 2], [3, 4]]),
-        ("from sympy import Matrix, sqrt, pi, cos\nx = Matrix([[sqrt(3) / 2, cos(pi / 3)]])", [[np.sqrt(3) / 2, 0.5]]),
+        (
+            "from sympy import Matrix, sqrt, pi, cos\nx = Matrix([[sqrt(3) / 2, cos(pi / 3)]])",
+            [[np.sqrt(3) / 2, 0.5]],
+        ),
         ("from fractions import Fraction\nx = [Fraction(1, 4), 2]", [0.25, 2]),
         ("x = 7", 7),
         ("x = (1.5, 2)", [1.5, 2]),
@@ -63,30 +66,58 @@ def test_values_come_back_as_a_person_would_mean_them(code, expected):
         ("from sympy import symbols, cos\nx = cos(symbols('q1'))", "text", "cos(q1)"),
         ("x = {'a': 1}", "error", "a dict"),
         ("x = {'sin(q2) = 0', 'q3 = 0'}", "text", "['q3 = 0', 'sin(q2) = 0']"),
-        ("from sympy import *\nq = symbols('q')\nx = [Eq(sin(q), 0), Eq(q, 1)]", "text", "['sin(q) = 0', 'q = 1']"),
+        (
+            "from sympy import *\nq = symbols('q')\nx = [Eq(sin(q), 0), Eq(q, 1)]",
+            "text",
+            "['sin(q) = 0', 'q = 1']",
+        ),
         ("x = ('q1', 2, 3.5)", "text", "['q1', '2.0', '3.5']"),
-        ("import numpy as np\nx = [np.str_('q1'), np.float64(2), 1 + 2j]", "text", "['q1', '2.0', '(1+2j)']"),
+        (
+            "import numpy as np\nx = [np.str_('q1'), np.float64(2), 1 + 2j]",
+            "text",
+            "['q1', '2.0', '(1+2j)']",
+        ),
         ("x = {1, 2}", "error", "a set"),
         ("x = 'first\\nsecond'", "text", "first\nsecond"),
         ("x = 'x' * 20_000", "text", "x" * 20_000),
-        ("x = 'x' * 20_001", "error", "too long: a text of 20001 characters; 20000 can be read here"),
+        (
+            "x = 'x' * 20_001",
+            "error",
+            "too long: a text of 20001 characters; 20000 can be read here",
+        ),
         ("x = ['x' * 401]", "error", "too long: a text of 401 characters; 400"),
         ("x = ['x'] * 65", "error", "too long: a list of 65 entries"),
         ("from sympy import *\nq = symbols('q')\nx = Abs(2*sin(q))", "text", "2*Abs(sin(q))"),
-        ("from sympy import *\np, q = symbols('p q')\nx = [And(Eq(p, 0), Eq(q, 1))]", "text", "['p = 0 and q = 1']"),
+        (
+            "from sympy import *\np, q = symbols('p q')\nx = [And(Eq(p, 0), Eq(q, 1))]",
+            "text",
+            "['p = 0 and q = 1']",
+        ),
         (
             "from sympy import *\np, q = symbols('p q')\nx = Eq(p, 0) & (Eq(q, 0) | Eq(q, 1))",
             "text",
             "p = 0 and (q = 0 or q = 1)",
         ),
-        ("from sympy import *\nq = symbols('q')\nx = Matrix([[q + 1, 2]])", "text", "[['q + 1', '2']]"),
-        ("from sympy import *\nx = expand((symbols('a') + symbols('b')) ** 999)", "error", "too long: a text of"),
+        (
+            "from sympy import *\nq = symbols('q')\nx = Matrix([[q + 1, 2]])",
+            "text",
+            "[['q + 1', '2']]",
+        ),
+        (
+            "from sympy import *\nx = expand((symbols('a') + symbols('b')) ** 999)",
+            "error",
+            "too long: a text of",
+        ),
         ("x = lambda q: q", "error", "a function"),
         ("x = None", "error", "None"),
         ("x = [[1, 2], [3]]", "error", "not a matrix"),
         ("x = [True, False]", "error", "not a matrix"),
         ("import numpy as np\nx = np.zeros((100, 100))", "error", "too large"),
-        ("class A:\n    def __array__(self, *a, **k): raise KeyError\nx = A()", "error", "not a matrix"),
+        (
+            "class A:\n    def __array__(self, *a, **k): raise KeyError\nx = A()",
+            "error",
+            "not a matrix",
+        ),
         ("y = 1", "missing", ""),
         ("x = ...", "missing", ""),
     ],
@@ -133,7 +164,12 @@ def test_a_failing_cell_costs_its_own_answer_and_says_why(code, words):
     ],
 )
 def test_a_cell_that_ends_or_blocks_the_process_leaves_the_earlier_answers(code):
-    found = run("a = 1", f"b = 3\n{code}", names=("a", "b", "c"), limits=Limits(cell_seconds=1, notebook_seconds=4))
+    found = run(
+        "a = 1",
+        f"b = 3\n{code}",
+        names=("a", "b", "c"),
+        limits=Limits(cell_seconds=1, notebook_seconds=4),
+    )
     assert value(found["a"]) == 1
     assert found["c"].kind == "error"
     assert "stopped after 4 s" in found["c"].value or "ended its own process" in found["c"].value
@@ -157,13 +193,18 @@ def test_thousands_of_nested_folders_are_cleared_away(tmp_path, monkeypatch):
     assert list(tmp_path.iterdir()) == []
 
 
-@pytest.mark.parametrize("line", ["%pip install scipy", "!pip install scipy", "%reset -f", "%load_ext autoreload"])
+@pytest.mark.parametrize(
+    "line", ["%pip install scipy", "!pip install scipy", "%reset -f", "%load_ext autoreload"]
+)
 def test_an_installation_before_an_import_costs_nothing(line):
     assert value(run(f"{line}\nimport numpy as np\ny = 2", "x = np.float64(y)")["x"]) == 2
 
 
 def test_numpy_is_there_even_when_the_first_cell_fails():
-    assert value(run("import no_such_package\nimport numpy as np", "x = np.eye(2)")["x"]).shape == (2, 2)
+    assert value(run("import no_such_package\nimport numpy as np", "x = np.eye(2)")["x"]).shape == (
+        2,
+        2,
+    )
 
 
 def test_a_long_error_costs_no_more_than_its_end():
@@ -187,12 +228,16 @@ def test_a_cell_that_stops_half_way_leaves_its_value_and_says_so():
     assert run(half, "x = [1.0, 2.0]")["x"].note == ""
 
 
-@pytest.mark.parametrize("data", [b'{"cells": []}', b'{"cells": [{"cell_type": "markdown", "source": ""}]}'])
+@pytest.mark.parametrize(
+    "data", [b'{"cells": []}', b'{"cells": [{"cell_type": "markdown", "source": ""}]}']
+)
 def test_a_notebook_without_code_is_unanswered(data):
     assert collect(data, [Ask("x")], LIMITS)["x"].kind == "missing"
 
 
-@pytest.mark.parametrize(("data", "words"), [(b"", "it is empty"), (b"<!doctype html>", "it is a web page")])
+@pytest.mark.parametrize(
+    ("data", "words"), [(b"", "it is empty"), (b"<!doctype html>", "it is a web page")]
+)
 def test_a_file_that_is_no_notebook_says_what_it_is(data, words):
     assert words in collect(data, [Ask("x")], LIMITS)["x"].value
 
@@ -249,7 +294,10 @@ def test_a_byte_order_mark_before_a_notebook_is_skipped():
 
 
 def test_an_old_notebook_with_worksheets_is_read():
-    old = {"worksheets": [{"cells": [{"cell_type": "code", "input": ["x = ", "5"]}]}], "nbformat": 3}
+    old = {
+        "worksheets": [{"cells": [{"cell_type": "code", "input": ["x = ", "5"]}]}],
+        "nbformat": 3,
+    }
     assert value(collect(json.dumps(old).encode(), [Ask("x")], LIMITS)["x"]) == 5
 
 
@@ -293,7 +341,10 @@ def results(raw):
         ("f = lambda x: [x, x]", [[1, 1], [[1, 2], [1, 2]], ["ab", "ab"]]),
         ("class F:\n    def __call__(self, x): return 1j\nf = F()", [1j, 1j, 1j]),
         ("def f(x):\n    print(x)\n    return np.matrix([1, 2])", [[[1, 2]]] * 3),
-        ("from sympy import Matrix, pi, sqrt\ndef f(x): return Matrix([sqrt(4), 1])", [[[2], [1]]] * 3),
+        (
+            "from sympy import Matrix, pi, sqrt\ndef f(x): return Matrix([sqrt(4), 1])",
+            [[[2], [1]]] * 3,
+        ),
         ("from sympy import symbols\ndef f(x): return symbols('q1') + 1", ["q1 + 1"] * 3),
         ("import json\njson.dumps = None\ndef f(x): return 1", [1, 1, 1]),
     ],
@@ -305,7 +356,10 @@ def test_a_function_is_called_on_everything_that_is_asked(code, expected):
 @pytest.mark.parametrize(
     ("body", "words"),
     [
-        ("if isinstance(x, str): raise ValueError('no text')", "call 3 stopped with ValueError: no text"),
+        (
+            "if isinstance(x, str): raise ValueError('no text')",
+            "call 3 stopped with ValueError: no text",
+        ),
         ("return None if isinstance(x, str) else x", "call 3: not a matrix of numbers: None"),
         ("return {'a': 1} if isinstance(x, str) else x", "call 3: not a matrix of numbers: a dict"),
         ("return ... if isinstance(x, str) else x", "call 3 returned ..."),
@@ -322,7 +376,9 @@ def test_a_call_that_fails_costs_only_itself(body, words):
 
 
 def test_an_error_that_loops_while_it_is_told_costs_only_its_words():
-    code = "class E(Exception):\n    def __str__(self):\n        while True: pass\ndef f(x): raise E"
+    code = (
+        "class E(Exception):\n    def __str__(self):\n        while True: pass\ndef f(x): raise E"
+    )
     assert results(call(code))[2] == "call 3 stopped with E: "
 
 
@@ -337,14 +393,23 @@ def test_arguments_arrive_as_they_were_asked():
         '    return [f\'{type(y).__name__} {getattr(y, "dtype", "")} {getattr(y, "shape", "")}\' for y in x]'
     )
     calls = ((1, 1.0, "R", [], [[1, 2]], np.eye(2)),)
-    said = ["int  ", "float  ", "str  ", "ndarray float64 (0,)", "ndarray float64 (1, 2)", "ndarray float64 (2, 2)"]
+    said = [
+        "int  ",
+        "float  ",
+        "str  ",
+        "ndarray float64 (0,)",
+        "ndarray float64 (1, 2)",
+        "ndarray float64 (2, 2)",
+    ]
     assert results(call(code, calls=calls)) == [said]
 
 
 @pytest.mark.parametrize("wait", ["while True: pass", "time.sleep(600)"])
 def test_forty_calls_without_end_do_not_take_forty_times_as_long(wait):
     code = f"import time\ndef f(x):\n    if x != 30:\n        {wait}\n    return x"
-    limits = Limits(cell_seconds=1, notebook_seconds=30)  # forty times a second, twice, would not end in this
+    limits = Limits(
+        cell_seconds=1, notebook_seconds=30
+    )  # forty times a second, twice, would not end in this
     found = results(call(code, "a = 1", calls=tuple((float(i),) for i in range(40)), limits=limits))
     assert found[30] == 30
     assert sum("ran longer" in str(said) for said in found) == 39
@@ -356,11 +421,18 @@ def test_helpers_that_are_defined_later_count():
 
 def test_results_stay_when_a_later_cell_ends_the_process_or_breaks_the_function():
     for later in ("import os\nos._exit(0)", "del g", "while True: pass"):
-        assert results(call("def g(): return 5\ndef f(x): return g()", later, limits=LOOPS)) == [5, 5, 5]
+        assert results(call("def g(): return 5\ndef f(x): return g()", later, limits=LOOPS)) == [
+            5,
+            5,
+            5,
+        ]
 
 
 def test_a_function_that_is_defined_again_starts_again():
-    assert "stopped with ZeroDivisionError" in results(call("def f(x): return 5", "def f(x): return 1 / 0"))[0]
+    assert (
+        "stopped with ZeroDivisionError"
+        in results(call("def f(x): return 5", "def f(x): return 1 / 0"))[0]
+    )
 
 
 def test_a_cell_that_stops_behind_its_function_says_so_beside_the_results():
@@ -377,7 +449,9 @@ def test_a_list_of_results_may_stand_in_the_place_of_a_function():
     assert call("f = 'text'").kind == "text"
     assert call("f = [None, None]").kind == "error"
     assert call("g = 1").kind == "missing"
-    assert call("f = lambda x: x", calls=()).value == "not a matrix of numbers: a function (TypeError)"
+    assert (
+        call("f = lambda x: x", calls=()).value == "not a matrix of numbers: a function (TypeError)"
+    )
 
 
 def test_too_many_calls_are_refused():
@@ -394,7 +468,9 @@ def test_answers_that_are_too_much_together_cost_the_largest():
 
 def test_a_text_that_is_slow_to_print_is_tried_once():
     code = "class A:\n    free_symbols = {1}\n    def __str__(self):\n        while True: pass\nx = A()"
-    limits = Limits(cell_seconds=0.5, notebook_seconds=15)  # forty times half a second would not end in this
+    limits = Limits(
+        cell_seconds=0.5, notebook_seconds=15
+    )  # forty times half a second would not end in this
     found = run(code, *["a = 1"] * 40, "y = 1", names=("x", "y"), limits=limits)
     assert "could not be read (it took longer than 0.5 s)" in found["x"].value
     assert value(found["y"]) == 1
@@ -402,17 +478,20 @@ def test_a_text_that_is_slow_to_print_is_tried_once():
 
 def test_the_runner_has_the_limits_of_the_wire():
     text = RUNNER.read_text(encoding="utf-8")
-    ((names, values),) = re.findall(r"^(MAX_ELEMENTS.*) = (.*?)  #", text, re.MULTILINE)
-    assert [int(x) for x in values.split(",")] == [
-        getattr(wire, name, None) or getattr(ask, name) for name in names.split(", ")
-    ]
+    shared = text.partition("# As in wire.py and ask.py:\n")[2].partition("#")[0]
+    limits = dict(re.findall(r"^(MAX_\w+) = ([\d_]+)$", shared, re.MULTILINE))
+    assert len(limits) == 5
+    for name, value in limits.items():
+        assert int(value) == (getattr(wire, name, None) or getattr(ask, name))
 
 
 def test_where_notebooks_cannot_run_a_sentence_says_so(monkeypatch):
-    monkeypatch.setattr("kinegrade.grader.collect.resource", None)
+    monkeypatch.setattr("kinegrade.grader.collecting.collect.resource", None)
     assert "notebooks are marked on Linux" in run("x = 1")["x"].value
 
 
 def test_sympy_with_the_dust_of_floats_is_read_as_meant():
     code = "import sympy as sp\nq1 = sp.Symbol('q1')\nx = sp.Matrix([[sp.sin(q1) * np.cos(np.pi / 2), sp.cos(q1)]])"
-    assert collect(notebook("import numpy as np", code), [Ask("x")])["x"].value == [["0", "cos(q1)"]]
+    assert collect(notebook("import numpy as np", code), [Ask("x")])["x"].value == [
+        ["0", "cos(q1)"]
+    ]

@@ -2,7 +2,14 @@
 
 import numpy as np
 import pytest
-from kinegrade.exercises.columns import SLIPS, angular_first, closed, different, right, tool_axes
+from kinegrade.exercises.calculations.columns import (
+    SLIPS,
+    angular_first,
+    closed,
+    different,
+    right,
+    tool_axes,
+)
 from kinegrade.solutions.jacobian import jacobian
 from kinegrade.solutions.robots import ROBOTS
 
@@ -17,10 +24,14 @@ def posture(robot):
 @pytest.mark.parametrize("robot", STANDARD, ids=lambda robot: robot.name)
 def test_right_columns_are_the_jacobian(robot):
     q = posture(robot)
-    np.testing.assert_allclose(right(robot.frames(None, q), robot.kinds), jacobian(robot.chain(), q), atol=1e-12)
+    np.testing.assert_allclose(
+        right(robot.frames(None, q), robot.kinds), jacobian(robot.chain(), q), atol=1e-12
+    )
 
 
-SHORT = [robot for robot in STANDARD if robot.n <= 4]  # entries of six wrong columns are longer than is read
+SHORT = [
+    robot for robot in STANDARD if robot.n <= 4
+]  # entries of six wrong columns are longer than is read
 
 
 @pytest.mark.parametrize("robot", SHORT, ids=lambda robot: robot.name)

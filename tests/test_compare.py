@@ -5,8 +5,8 @@ import pytest
 from answers import EXERCISES, variant_of
 from courses import exercise_of
 from kinegrade.exercises.exercise import Formulas, Numbers, Part
-from kinegrade.grader.answer_key import AnswerKey
-from kinegrade.grader.compare import compare, fraction
+from kinegrade.grader.marking.answer_key import AnswerKey
+from kinegrade.grader.marking.compare import compare, fraction
 from kinegrade.solutions.table import read_table
 
 T, F = True, False
@@ -26,13 +26,33 @@ def mask(*rows):
         (mask(*[[T, T]] * 5, [T, F]), mask(*[[T, T]] * 6), "block", 1 / 2),
         (np.array(T), np.array(T), "entry", 1),
         (np.array(F), np.array(T), "entry", 0),
-        (mask([T, T], [T, F]), mask([T, T], [F, F]), "entry", 1 / 2),  # a wrong constant voids its column
-        (mask([F, T], [F, T]), mask([F, T], [F, T]), "entry", 1 / 2),  # a constant column costs its share
+        (
+            mask([T, T], [T, F]),
+            mask([T, T], [F, F]),
+            "entry",
+            1 / 2,
+        ),  # a wrong constant voids its column
+        (
+            mask([F, T], [F, T]),
+            mask([F, T], [F, T]),
+            "entry",
+            1 / 2,
+        ),  # a constant column costs its share
         (mask([F, F], [F, F]), mask([F, T], [F, T]), "entry", 0),
         (mask([T, F, T]).ravel(), mask([T, T, F]).ravel(), "entry", 1 / 2),
         (mask([T, T, F]).ravel(), mask([T, T, F]).ravel(), "entry", 0),  # a vector is one column
-        (mask([[T, F], [T, T]], [[T, T], [T, T]]), mask([[T, T], [T, T]], [[T, T], [T, T]]), "entry", 7 / 8),
-        (mask([[T, T], [T, F]], [[T, T], [T, T]]), mask([[T, T], [F, F]], [[T, T], [F, F]]), "entry", 3 / 4),
+        (
+            mask([[T, F], [T, T]], [[T, T], [T, T]]),
+            mask([[T, T], [T, T]], [[T, T], [T, T]]),
+            "entry",
+            7 / 8,
+        ),
+        (
+            mask([[T, T], [T, F]], [[T, T], [T, T]]),
+            mask([[T, T], [F, F]], [[T, T], [F, F]]),
+            "entry",
+            3 / 4,
+        ),
     ],
 )
 def test_points_go_to_earning_entries_of_sound_columns(right, earning, credit, share):
@@ -66,18 +86,28 @@ def cells_right(cells, seed=0):
     own = [[str(cell) for cell in row] for row in reference.rows]
     for (i, j), cell in cells.items():
         own[i][j] = cell.format(own[i][j])
-    return compare(key, exercise.parts[0], key.wanted(exercise.parts[0]), read_table(own, names)).right
+    return compare(
+        key, exercise.parts[0], key.wanted(exercise.parts[0]), read_table(own, names)
+    ).right
 
 
 @pytest.mark.parametrize("seed", range(4))
 def test_table_cells_are_equal_when_their_values_are(seed):
-    assert cells_right({(0, 0): "q1 + 2*pi", (1, 0): "q2 - 0", (2, 3): "sin(pi)", (0, 3): "{0} - 2*pi"}, seed).all()
+    assert cells_right(
+        {(0, 0): "q1 + 2*pi", (1, 0): "q2 - 0", (2, 3): "sin(pi)", (0, 3): "{0} - 2*pi"}, seed
+    ).all()
     assert cells_right({(0, 3): "2*({0})/2", (1, 1): "({0})^1"}, seed).all()
 
 
 @pytest.mark.parametrize(
     ("cell", "text"),
-    [((0, 0), "q1 + 0.1"), ((0, 1), "d1 + 0.01"), ((0, 3), "-({0})"), ((1, 2), "0.1"), ((2, 1), "q3 + 1")],
+    [
+        ((0, 0), "q1 + 0.1"),
+        ((0, 1), "d1 + 0.01"),
+        ((0, 3), "-({0})"),
+        ((1, 2), "0.1"),
+        ((2, 1), "q3 + 1"),
+    ],
 )
 def test_a_wrong_table_cell_is_the_only_wrong_one(cell, text):
     right = cells_right({cell: text})

@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 from kinegrade.exercises.answers import Conditions
-from kinegrade.grader.conditions import judge_conditions
-from kinegrade.grader.read_formulas import read_conditions
-from kinegrade.grader.unreadable import Unreadable
-from kinegrade.grader.wire import Raw
+from kinegrade.grader.collecting.wire import Raw
+from kinegrade.grader.kinds.conditions import read_conditions
+from kinegrade.grader.kinds.zero_sets import judge_conditions
+from kinegrade.grader.reading.unreadable import Unreadable
 from kinegrade.solutions.expression import parse
 
 V = {"a1": 0.3, "l3": 0.4, "q": [0.1, 0.2, 0.3]}
@@ -54,8 +54,18 @@ def test_the_same_postures_in_other_words_are_right(reference, texts):
         (SPHERICAL, ["sin(q2) = 0"], 1 / 2, "Not all conditions are there"),
         (SPHERICAL, ["q2 = 0", "q3 = 0"], 1 / 2, "look for another branch"),
         (ELBOW, ["q2 = -atan(2)"], 0, "look for another branch"),
-        (SPHERICAL, ["sin(q2) = 0", "q3 = 0", "q1 = 0"], 1 / 2, "holds at postures that are not asked for"),
-        (SPHERICAL, ["sin(q2) = 0", "q3 = 0", "cos(q2) = 0"], 1 / 2, "holds at postures that are not asked for"),
+        (
+            SPHERICAL,
+            ["sin(q2) = 0", "q3 = 0", "q1 = 0"],
+            1 / 2,
+            "holds at postures that are not asked for",
+        ),
+        (
+            SPHERICAL,
+            ["sin(q2) = 0", "q3 = 0", "cos(q2) = 0"],
+            1 / 2,
+            "holds at postures that are not asked for",
+        ),
         (SPHERICAL, ["sin(q2) = 0", "q3 = 7"], 0, "met nowhere within the limits"),
         (SPHERICAL, ["cos(q2) = 0", "q1 = 0"], 0, "Not all conditions are there"),
         (OFFSET, ["q3 = 0", "a1 - q3*sin(q2) = 0"], 0, "not asked for"),
@@ -90,7 +100,8 @@ def test_a_pole_is_no_zero():
 
 
 @pytest.mark.parametrize(
-    "value", ["q2 = 0; q3 = 0", ["q2 = 0", "q3 = 0"], [["q2 = 0", "q3 = 0"]], [["q2 = 0"], ["q3 = 0"]]]
+    "value",
+    ["q2 = 0; q3 = 0", ["q2 = 0", "q3 = 0"], [["q2 = 0", "q3 = 0"]], [["q2 = 0"], ["q3 = 0"]]],
 )
 def test_conditions_are_read_from_a_list_a_row_or_a_column(value):
     read = read_conditions(Conditions(NAMES, lambda _: DOMAIN), Raw("text", value), V)

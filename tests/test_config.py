@@ -22,24 +22,45 @@ def roster(tmp_path, text):
 @pytest.mark.parametrize(
     ("text", "words"),
     [
-        ("titel = 1\n" + GOOD, ["unknown key 'titel'", "did you mean 'title'?", "title, secret, sheet, limits"]),
-        (GOOD.replace("[[sheet]]", "[[sheets]]"), ["unknown key 'sheets'", "did you mean 'sheet'?"]),
+        (
+            "titel = 1\n" + GOOD,
+            ["unknown key 'titel'", "did you mean 'title'?", "title, secret, sheet, limits"],
+        ),
+        (
+            GOOD.replace("[[sheet]]", "[[sheets]]"),
+            ["unknown key 'sheets'", "did you mean 'sheet'?"],
+        ),
         (GOOD + 'mod = "exam"\n', ["unknown key 'sheet.1.mod'", "did you mean 'mode'?"]),
-        (GOOD + "[limits]\ncell_second = 3\n", ["unknown key 'limits.cell_second'", "did you mean 'cell_seconds'?"]),
+        (
+            GOOD + "[limits]\ncell_second = 3\n",
+            ["unknown key 'limits.cell_second'", "did you mean 'cell_seconds'?"],
+        ),
         (GOOD + "[[other]]\n", ["unknown key 'other'", "valid here: title"]),
         (GOOD.replace('title = "T"\n', ""), ["the key 'title' is missing"]),
         (GOOD.replace('name = "one"\n', ""), ["the key 'sheet.1.name' is missing"]),
-        (GOOD + 'mode = "test"\n', ["sheet.1.mode", "'practice', 'graded' or 'exam'", "got 'test'"]),
+        (
+            GOOD + 'mode = "test"\n',
+            ["sheet.1.mode", "'practice', 'graded' or 'exam'", "got 'test'"],
+        ),
         (GOOD + "[limits]\ncell_seconds = 0\n", ["limits.cell_seconds", "greater than 0", "got 0"]),
-        (GOOD + '[limits]\nmemory_mb = "much"\n', ["limits.memory_mb", "valid integer", "got 'much'"]),
+        (
+            GOOD + '[limits]\nmemory_mb = "much"\n',
+            ["limits.memory_mb", "valid integer", "got 'much'"],
+        ),
         (GOOD.replace('["rrt"]', "[]"), ["sheet.1.exercises", "at least 1 item"]),
         (GOOD.replace('"one"', '"../one"'), ["sheet.1.name", "got '../one'"]),
         (GOOD.replace('"one"', '"one."'), ["sheet.1.name", "got 'one.'"]),
         (GOOD.replace('"one"', '"nul"'), ["cannot be called 'nul'"]),
         (GOOD + GOOD[GOOD.index("[[") :], ["two sheets are called 'one'"]),
         (GOOD + GOOD[GOOD.index("[[") :].replace("one", "ONE"), ["two sheets are called"]),
-        (GOOD.replace('"one"', '"week-1"') + "matlab = true\n", ["takes a name that MATLAB can run", "got 'week-1'"]),
-        (GOOD.replace('"one"', '"end"') + "matlab = true\n", ["takes a name that MATLAB can run", "got 'end'"]),
+        (
+            GOOD.replace('"one"', '"week-1"') + "matlab = true\n",
+            ["takes a name that MATLAB can run", "got 'week-1'"],
+        ),
+        (
+            GOOD.replace('"one"', '"end"') + "matlab = true\n",
+            ["takes a name that MATLAB can run", "got 'end'"],
+        ),
         (GOOD + 'matlab = "maybe"\n', ["sheet.1.matlab"]),
         ("title = \n", ["not TOML", "line 1"]),
         (b"title = '\xe9'\n", ["cannot be read as UTF-8 text"]),
@@ -55,7 +76,9 @@ def test_a_course_file_that_cannot_be_meant_is_refused_with_what_and_where(tmp_p
 
 
 def test_a_secret_that_is_too_short_is_not_repeated_in_the_complaint(tmp_path):
-    with pytest.raises(CourseError, match="secret: string should have at least 16 characters") as error:
+    with pytest.raises(
+        CourseError, match="secret: string should have at least 16 characters"
+    ) as error:
         settings(tmp_path, GOOD.replace("0123456789abcdef", "hush-hush"))
     assert "hush" not in str(error.value)
 
@@ -78,7 +101,9 @@ def test_a_file_that_is_not_there_or_is_a_folder_is_named(tmp_path, name):
 def test_sheets_are_found_by_name_and_a_wrong_name_gets_the_nearest(tmp_path):
     course = read_course(make_course(tmp_path))
     assert course.sheets(("one",)) == course.sheets() == course.settings.sheet
-    with pytest.raises(CourseError, match=r"no sheet 'onne' \(did you mean 'one'\?\); course.toml has: one"):
+    with pytest.raises(
+        CourseError, match=r"no sheet 'onne' \(did you mean 'one'\?\); course.toml has: one"
+    ):
         course.sheets(("onne",))
 
 
@@ -106,10 +131,13 @@ def test_a_name_may_be_missing_or_hold_anything(tmp_path):
 
 
 @pytest.mark.parametrize(
-    "student", ["../x", "a/b", ".hidden", "-rf", "CON", "nul.txt", "Lpt1", "a b", "ä", "x" * 65, "a.", ""]
+    "student",
+    ["../x", "a/b", ".hidden", "-rf", "CON", "nul.txt", "Lpt1", "a b", "ä", "x" * 65, "a.", ""],
 )
 def test_an_id_that_cannot_name_a_folder_everywhere_is_refused_with_its_line(tmp_path, student):
-    with pytest.raises(CourseError, match=r"roster.csv, line 3: a student takes an id of letters, digits") as error:
+    with pytest.raises(
+        CourseError, match=r"roster.csv, line 3: a student takes an id of letters, digits"
+    ) as error:
         roster(tmp_path, f"student,name\nada,Ada\n{student},Somebody\n")
     assert repr(student) in str(error.value)
 
@@ -121,7 +149,9 @@ def test_an_id_that_can_name_a_folder_is_taken(tmp_path, student):
 
 @pytest.mark.parametrize("twin", ["ada", "ADA", " Ada "])
 def test_a_student_twice_is_refused_with_both_lines(tmp_path, twin):
-    with pytest.raises(CourseError, match=r"roster.csv, line 5: student '\w+' is already in line 2"):
+    with pytest.raises(
+        CourseError, match=r"roster.csv, line 5: student '\w+' is already in line 2"
+    ):
         roster(tmp_path, f"student,name\nada,Ada\n\nben,Ben\n{twin},Ada too\n")
 
 
@@ -129,11 +159,17 @@ def test_a_student_twice_is_refused_with_both_lines(tmp_path, twin):
     ("text", "words"),
     [
         ("student\nada\n", "the column 'name' is missing; the first line has: student"),
-        ("student;name\nada;Ada\n", "the column 'student' is missing; the first line has: student;name"),
+        (
+            "student;name\nada;Ada\n",
+            "the column 'student' is missing; the first line has: student;name",
+        ),
         ("ada,Ada\n", "the column 'student' is missing; the first line has: ada, Ada"),
         ("", "the column 'student' is missing; the first line has: nothing"),
         ("student,name\nada,Lovelace, Ada\n", "line 2: 3 cells for 2 columns"),
-        ("student,name\nada," + "x" * 200_000 + "\n", "not a CSV file: field larger than field limit"),
+        (
+            "student,name\nada," + "x" * 200_000 + "\n",
+            "not a CSV file: field larger than field limit",
+        ),
         ("student,name\nada,Adè\n".encode("latin-1"), "cannot be read as UTF-8 text"),
         ("student,name\nada,Ada\n".encode("utf-16"), "cannot be read as UTF-8 text"),
     ],

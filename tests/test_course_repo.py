@@ -18,7 +18,11 @@ RUN = re.compile(r"^ +- run: (.+)$", re.MULTILINE)
 
 @pytest.fixture
 def repo(tmp_path):
-    return Path(shutil.copytree(EXAMPLE, tmp_path / "repo", ignore=shutil.ignore_patterns("__pycache__", ".*_cache")))
+    return Path(
+        shutil.copytree(
+            EXAMPLE, tmp_path / "repo", ignore=shutil.ignore_patterns("__pycache__", ".*_cache")
+        )
+    )
 
 
 @pytest.mark.slow
@@ -27,13 +31,22 @@ def test_the_workflow_proves_the_exercises_in_a_fresh_environment(repo, tmp_path
     assert install == "pip install kinegrade"
     assert commands == ["kinegrade validate --draws 100", "pytest"]
     path = fresh_environment(build(tmp_path), tmp_path / "environment")
-    clean = {name: value for name, value in os.environ.items() if not name.startswith(("PYTEST", "KINEGRADE"))}
+    clean = {
+        name: value
+        for name, value in os.environ.items()
+        if not name.startswith(("PYTEST", "KINEGRADE"))
+    }
     options = {"cwd": repo, "env": clean | {"PATH": f"{path}{os.pathsep}{clean['PATH']}"}}
-    where = run([path / "python", "-c", "import kinegrade.course as c; print(c.__file__)"], **options)
+    where = run(
+        [path / "python", "-c", "import kinegrade.course as c; print(c.__file__)"], **options
+    )
     assert where.startswith(str(tmp_path / "environment"))
     validated, tested = (run(["bash", "-ec", command], **options) for command in commands)
     rows = [line.split()[:4] for line in validated.splitlines() if " 100 " in line]
-    assert [(slug, draws) for slug, _, _, draws in rows] == [("reach", "100"), ("cross_products", "100")]
+    assert [(slug, draws) for slug, _, _, draws in rows] == [
+        ("reach", "100"),
+        ("cross_products", "100"),
+    ]
     assert "✗" not in validated
     assert "1 passed" in tested
     assert "exercises/reach.py" in tested
@@ -64,5 +77,7 @@ def test_the_repository_holds_nothing_that_is_private(repo):
 
 def test_every_exercise_of_its_sheets_is_there(repo):
     course = read_course(repo)
-    asked = {exercise.slug for sheet in course.settings.sheet for exercise in exercises_of(course, sheet)}
+    asked = {
+        exercise.slug for sheet in course.settings.sheet for exercise in exercises_of(course, sheet)
+    }
     assert asked == {"reach", "cross_products"}

@@ -9,7 +9,7 @@ from kinegrade.course.config import CourseError, read_course
 from kinegrade.course.demo import COMMENT, HABITS, SHEETS, run_demo
 from kinegrade.course.sheets import exercises_of
 from kinegrade.exercises.answers import Manual
-from kinegrade.exercises.catalogue import exercise_files
+from kinegrade.exercises.files.finding import exercise_files
 
 STUDENTS = [f"student{i:02}" for i in range(1, len(HABITS) + 1)]
 MISTAKES = {
@@ -57,7 +57,9 @@ def test_the_demonstration_marks_a_class_of_twelve_and_twice_the_same(tmp_path, 
     for number, words in MISTAKES.items():
         page = folder / "feedback" / f"student{number:02}" / "jacobian.html"
         assert words in (report if number == 12 else page.read_text(encoding="utf-8")), number
-    assert "student01" not in (folder / "feedback" / "student12" / "jacobian.html").read_text(encoding="utf-8")
+    assert "student01" not in (folder / "feedback" / "student12" / "jacobian.html").read_text(
+        encoding="utf-8"
+    )
 
     by_hand = {
         (sheet.name, part.variable)
@@ -70,7 +72,9 @@ def test_the_demonstration_marks_a_class_of_twelve_and_twice_the_same(tmp_path, 
     for sheet, rows in found.items():
         waiting = [part for name, part in by_hand if name == sheet]
         for student, row in rows.items():
-            waits = bool(waiting) and student == STUDENTS[-1]  # the last one's answers are left to be marked
+            waits = (
+                bool(waiting) and student == STUDENTS[-1]
+            )  # the last one's answers are left to be marked
             assert row["status"] == ("not_graded" if waits else "graded")
             assert [row[part] == "" for part in waiting] == [waits] * len(waiting)
             assert (row["points"] == "") is waits
@@ -90,11 +94,15 @@ def test_the_demonstration_marks_a_class_of_twelve_and_twice_the_same(tmp_path, 
     assert capsys.readouterr() == first
     again = files_of(folder)
     assert set(again) == set(files)
-    assert [name for name in files if not name.endswith(".sqlite") and again[name] != files[name]] == []
+    assert [
+        name for name in files if not name.endswith(".sqlite") and again[name] != files[name]
+    ] == []
 
 
 def test_the_demonstration_has_every_exercise_on_one_sheet():
-    assert sorted(slug for *_, slugs in SHEETS for slug in slugs.split()) == sorted(exercise_files())
+    assert sorted(slug for *_, slugs in SHEETS for slug in slugs.split()) == sorted(
+        exercise_files()
+    )
 
 
 def test_the_demonstration_leaves_another_course_alone(tmp_path):

@@ -21,7 +21,11 @@ robots = pytest.mark.parametrize("name", ROBOTS)
 def some(name: str, count: int = 4) -> tuple[Chain, Array, Array]:
     robot, rng = ROBOTS[name], np.random.default_rng(5)
     low, high = np.array(robot.limits).T
-    return robot.chain(), rng.uniform(low, high, (count, robot.n)), rng.normal(size=(count, robot.n))
+    return (
+        robot.chain(),
+        rng.uniform(low, high, (count, robot.n)),
+        rng.normal(size=(count, robot.n)),
+    )
 
 
 def slope(chain: Chain, q: Array, direction: Array, frame: Frame) -> Array:
@@ -33,7 +37,9 @@ def slope(chain: Chain, q: Array, direction: Array, frame: Frame) -> Array:
 def test_the_time_derivative_agrees_with_the_golden_one(name: str):
     expected = column(name, "jacob0_dot")
     values = jacobian_dot(chain_of(name), column(name, "q"), column(name, "qd"))
-    np.testing.assert_allclose(values, expected, rtol=0, atol=1e-13 * max(1, np.abs(expected).max()))
+    np.testing.assert_allclose(
+        values, expected, rtol=0, atol=1e-13 * max(1, np.abs(expected).max())
+    )
 
 
 @robots
@@ -42,14 +48,18 @@ def test_the_hessian_agrees_with_finite_differences(name: str, frame: Frame):
     chain, q, _ = some(name)
     H = hessian(chain, q, frame)
     for k in range(chain.n):
-        np.testing.assert_allclose(H[..., k], slope(chain, q, np.eye(chain.n)[k], frame), rtol=0, atol=2e-10)
+        np.testing.assert_allclose(
+            H[..., k], slope(chain, q, np.eye(chain.n)[k], frame), rtol=0, atol=2e-10
+        )
 
 
 @robots
 @frames
 def test_the_time_derivative_agrees_with_finite_differences(name: str, frame: Frame):
     chain, q, qdot = some(name)
-    np.testing.assert_allclose(jacobian_dot(chain, q, qdot, frame), slope(chain, q, qdot, frame), rtol=0, atol=5e-9)
+    np.testing.assert_allclose(
+        jacobian_dot(chain, q, qdot, frame), slope(chain, q, qdot, frame), rtol=0, atol=5e-9
+    )
 
 
 @robots
@@ -71,8 +81,13 @@ def test_the_linear_rows_are_symmetric_and_the_angular_ones_strictly_lower(name:
 def test_the_acceleration_is_the_second_derivative_of_the_position():
     chain, q, qdot = some("panda")
     qddot = np.random.default_rng(6).normal(size=q.shape)
-    acceleration = (jacobian(chain, q) @ qddot[..., None] + jacobian_dot(chain, q, qdot) @ qdot[..., None])[..., 0]
-    at = [forward(chain, q + t * qdot + t**2 / 2 * qddot)[:, :3, 3] for t in (-2e-3, -1e-3, 0.0, 1e-3, 2e-3)]
+    acceleration = (
+        jacobian(chain, q) @ qddot[..., None] + jacobian_dot(chain, q, qdot) @ qdot[..., None]
+    )[..., 0]
+    at = [
+        forward(chain, q + t * qdot + t**2 / 2 * qddot)[:, :3, 3]
+        for t in (-2e-3, -1e-3, 0.0, 1e-3, 2e-3)
+    ]
     expected = (-at[0] + 16 * at[1] - 30 * at[2] + 16 * at[3] - at[4]) / (12 * 1e-6)
     np.testing.assert_allclose(acceleration[:, :3], expected, rtol=0, atol=1e-7)
 
@@ -89,13 +104,18 @@ def test_results_have_the_documented_shapes(frame: Frame, shape: tuple[int, ...]
 def test_configurations_and_rates_broadcast(frame: Frame):
     q, qdot = np.full(6, 0.3), np.random.default_rng(7).normal(size=(4, 6))
     together = jacobian_dot(PUMA, q, qdot, frame)
-    np.testing.assert_allclose(together[2], jacobian_dot(PUMA, q, qdot[2], frame), rtol=0, atol=1e-14)
+    np.testing.assert_allclose(
+        together[2], jacobian_dot(PUMA, q, qdot[2], frame), rtol=0, atol=1e-14
+    )
     assert jacobian_dot(PUMA, qdot, q, frame).shape == (4, 6, 6)
 
 
 @pytest.mark.parametrize("frame", ["world", np.eye(3)])
 def test_other_frames_are_refused_with_a_sentence(frame: Any):
-    for call in (lambda: hessian(PUMA, np.zeros(6), frame), lambda: jacobian_dot(PUMA, [0] * 6, [0] * 6, frame)):
+    for call in (
+        lambda: hessian(PUMA, np.zeros(6), frame),
+        lambda: jacobian_dot(PUMA, [0] * 6, [0] * 6, frame),
+    ):
         with pytest.raises(ChainError, match="frame takes 'base' or 'tool', got"):
             call()
 

@@ -5,17 +5,16 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from answers import raws
-from kinegrade.course.blanks import answer_code
+from answers import answer_code, raws
 from kinegrade.course.config import read_course
 from kinegrade.course.demo import fill_in
 from kinegrade.course.gradebook import Gradebook
 from kinegrade.course.grading import SheetMarker
 from kinegrade.course.new_course import write_course
+from kinegrade.course.proof.validate import validate_file
 from kinegrade.course.sheets import exercises_of, generate
-from kinegrade.course.validate import validate_file
 from kinegrade.exercises.exercise import references
-from kinegrade.grader.mark import mark
+from kinegrade.grader.marking.mark import mark
 
 ROOT = Path(__file__).parent.parent
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
@@ -42,7 +41,9 @@ def test_every_command_of_the_readme_exists(command):
     from kinegrade.course import cli
 
     assert f"kinegrade {command}" in (ROOT / "README.md").read_text(encoding="utf-8")
-    assert command in [getattr(registered.callback, "__name__", "") for registered in cli.app.registered_commands]
+    assert command in [
+        getattr(registered.callback, "__name__", "") for registered in cli.app.registered_commands
+    ]
 
 
 def test_the_exercise_of_the_docs_is_short():
@@ -53,9 +54,13 @@ def test_the_exercise_of_the_docs_is_validated_released_solved_and_marked(tmp_pa
     page = ROOT / "docs" / "add_an_exercise.md"
     write_course(tmp_path)
     (tmp_path / "exercises").mkdir()
-    (tmp_path / "exercises" / "tip_speed.py").write_text(blocks(page, "python")[0], encoding="utf-8")
+    (tmp_path / "exercises" / "tip_speed.py").write_text(
+        blocks(page, "python")[0], encoding="utf-8"
+    )
     settings = tmp_path / "course.toml"
-    settings.write_text(settings.read_text(encoding="utf-8") + blocks(page, "toml")[0], encoding="utf-8")
+    settings.write_text(
+        settings.read_text(encoding="utf-8") + blocks(page, "toml")[0], encoding="utf-8"
+    )
     course = read_course(tmp_path)
     assert validate_file(tmp_path / "exercises" / "tip_speed.py", 100).failures == ()
     (sheet,) = course.sheets(("extra",))
@@ -67,7 +72,9 @@ def test_the_exercise_of_the_docs_is_validated_released_solved_and_marked(tmp_pa
             answers = references(exercise, records[released.student].numbers)
             if wrong:
                 answers["tip_speed_J"] = answers["tip_speed_J"] * [1, -1]
-            code = {part.variable: answer_code(part, answers[part.variable]) for part in exercise.asked}
+            code = {
+                part.variable: answer_code(part, answers[part.variable]) for part in exercise.asked
+            }
             submitted = tmp_path / "submitted" / released.student / "extra.ipynb"
             submitted.parent.mkdir(parents=True)
             submitted.write_bytes(fill_in(released.path.read_bytes(), code))
@@ -76,7 +83,7 @@ def test_the_exercise_of_the_docs_is_validated_released_solved_and_marked(tmp_pa
 
 
 def test_the_exercise_of_the_docs_gives_zeros_nothing(tmp_path):
-    from kinegrade.exercises.catalogue import load
+    from kinegrade.exercises.files.finding import load
 
     path = tmp_path / "tip_speed.py"
     path.write_text(blocks(ROOT / "docs" / "add_an_exercise.md", "python")[0], encoding="utf-8")

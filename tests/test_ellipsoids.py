@@ -11,7 +11,12 @@ from kinegrade.solutions.ellipsoids import (
 )
 from kinegrade.solutions.jacobian import jacobian
 from kinegrade.solutions.robots import ROBOTS, Robot
-from kinegrade.solutions.singularity import SingularityError, factor_values, manipulability, zero_set
+from kinegrade.solutions.singularity import (
+    SingularityError,
+    factor_values,
+    manipulability,
+    zero_set,
+)
 from numpy.typing import NDArray
 
 every = pytest.mark.parametrize("robot", ROBOTS.values(), ids=list(ROBOTS))
@@ -25,7 +30,9 @@ def _blocks(robot: Robot, count: int = 20) -> NDArray[np.float64]:
 
 @pytest.mark.parametrize("shape", [(3, 3), (3, 6), (6, 3), (4, 5, 3, 6), (0, 3, 3), (1, 1)])
 @pytest.mark.parametrize("made", [velocity_ellipsoid, force_ellipsoid])
-def test_axes_and_lengths_keep_the_batch_and_come_largest_first(made, shape: tuple[int, ...]) -> None:
+def test_axes_and_lengths_keep_the_batch_and_come_largest_first(
+    made, shape: tuple[int, ...]
+) -> None:
     found: Ellipsoid = made(np.random.default_rng(1).normal(size=shape))
     m = shape[-2]
     assert found.axes.shape == (*shape[:-2], m, m)
@@ -60,7 +67,9 @@ def test_unit_joint_rates_end_inside_or_on_the_velocity_ellipsoid(robot: Robot) 
 def test_forces_on_the_force_ellipsoid_ask_for_unit_torques(robot: Robot) -> None:
     J, m = _blocks(robot), len(robot.task_rows)
     directions = np.random.default_rng(10).normal(size=(7, m))
-    forces = force_ellipsoid(J).surface(directions / np.linalg.norm(directions, axis=1, keepdims=True))
+    forces = force_ellipsoid(J).surface(
+        directions / np.linalg.norm(directions, axis=1, keepdims=True)
+    )
     assert forces.shape == (20, 7, m)
     np.testing.assert_allclose(np.linalg.norm(forces @ J, axis=-1), 1, rtol=1e-9)
 
@@ -87,14 +96,21 @@ def test_the_stretched_planar_arm_loses_the_direction_it_points_in() -> None:
     ("robot", "name"),
     [pytest.param(r, f.name, id=f"{r.name}-{f.name}") for r in ROBOTS.values() for f in r.factors],
 )
-def test_on_every_singular_set_a_lost_direction_is_normal_to_all_columns(robot: Robot, name: str) -> None:
+def test_on_every_singular_set_a_lost_direction_is_normal_to_all_columns(
+    robot: Robot, name: str
+) -> None:
     at = np.array([0.3, -0.4, 0.6, 0.5, 0.9, 0.2])[: robot.n]
     line = next(
         lines[0]
         for pair in ((0, 1), (1, 2), (3, 4))
-        if pair[1] < robot.n and (lines := zero_set(robot, name, free=pair, at=at, ranges=[(-3.2, 3.2)] * 2, count=61))
+        if pair[1] < robot.n
+        and (lines := zero_set(robot, name, free=pair, at=at, ranges=[(-3.2, 3.2)] * 2, count=61))
     )
-    pair = next(p for p in ((0, 1), (1, 2), (3, 4)) if p[1] < robot.n and _vanishes(robot, name, at, p, line[3]))
+    pair = next(
+        p
+        for p in ((0, 1), (1, 2), (3, 4))
+        if p[1] < robot.n and _vanishes(robot, name, at, p, line[3])
+    )
     at[list(pair)] = line[3]
     J = jacobian(robot.chain(), at)[list(robot.task_rows)]
     lost = lost_directions(J)
@@ -103,7 +119,9 @@ def test_on_every_singular_set_a_lost_direction_is_normal_to_all_columns(robot: 
     np.testing.assert_allclose(lost @ lost.T, np.eye(len(lost)), atol=1e-14)
 
 
-def _vanishes(robot: Robot, name: str, at: NDArray[np.float64], pair: tuple[int, int], values) -> bool:
+def _vanishes(
+    robot: Robot, name: str, at: NDArray[np.float64], pair: tuple[int, int], values
+) -> bool:
     q = at.copy()
     q[list(pair)] = values
     return abs(float(factor_values(robot, None, q)[name])) < 1e-11
@@ -131,7 +149,9 @@ def test_the_tolerance_of_lost_directions_is_a_share_of_the_largest_singular_val
 
 
 def test_a_stack_of_blocks_is_refused_by_lost_directions_with_a_sentence() -> None:
-    with pytest.raises(SingularityError, match=r"one block of shape \(m, n\), got shape \(2, 3, 3\)"):
+    with pytest.raises(
+        SingularityError, match=r"one block of shape \(m, n\), got shape \(2, 3, 3\)"
+    ):
         lost_directions(np.ones((2, 3, 3)))
 
 
@@ -158,7 +178,9 @@ def test_the_inverse_condition_of_a_tall_block_is_refused_with_a_sentence() -> N
         inverse_condition(np.ones((6, 3)))
 
 
-@pytest.mark.parametrize("made", [velocity_ellipsoid, force_ellipsoid, inverse_condition, lost_directions])
+@pytest.mark.parametrize(
+    "made", [velocity_ellipsoid, force_ellipsoid, inverse_condition, lost_directions]
+)
 def test_a_block_that_is_no_finite_matrix_is_refused_with_a_sentence(made) -> None:
     with pytest.raises(SingularityError, match="finite"):
         made([[np.nan, 1.0]])

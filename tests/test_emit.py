@@ -9,10 +9,20 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from kinegrade.solutions.chain import Array, Chain, ChainError, elementary, snapped
-from kinegrade.solutions.emit import BLOCK, FEW, compiled, direct, evaluate, half_angle, plain, rows, used_angles
 from kinegrade.solutions.jacobian import jacobian
 from kinegrade.solutions.kinematics import forward, frames
-from kinegrade.solutions.program import _folded, trace
+from kinegrade.solutions.program.emit import (
+    BLOCK,
+    FEW,
+    compiled,
+    direct,
+    evaluate,
+    half_angle,
+    plain,
+    rows,
+    used_angles,
+)
+from kinegrade.solutions.program.walk import _folded, trace
 from kinegrade.solutions.robots import ROBOTS
 
 PUMA = ROBOTS["puma560"].chain()
@@ -25,12 +35,16 @@ def oblique(kinds: str) -> Chain:
     links = [np.eye(4) for _ in range(len(kinds) + 1)]
     for link in links:
         for motion in ("Rz", "Rx", "Rz", "Tx", "Ty", "Tz"):
-            link[:] = link @ elementary(motion, rng.uniform(-3, 3) if motion[0] == "R" else rng.uniform(-0.5, 0.5))
+            link[:] = link @ elementary(
+                motion, rng.uniform(-3, 3) if motion[0] == "R" else rng.uniform(-0.5, 0.5)
+            )
     return Chain(np.array(links), kinds)
 
 
 CHAINS = {name: robot.chain() for name, robot in ROBOTS.items()}
-CHAINS |= {kinds: oblique(kinds) for kinds in ("R", "P", "RRPRRR", "RRRRRRR", "PRPRPR", "RRRRRRRRRRRR")}
+CHAINS |= {
+    kinds: oblique(kinds) for kinds in ("R", "P", "RRPRRR", "RRRRRRR", "PRPRPR", "RRRRRRRRRRRR")
+}
 chains = pytest.mark.parametrize("name", CHAINS)
 
 
@@ -53,7 +67,9 @@ def test_all_programs_are_what_matmul_and_cross_give(name: str):
         reached, J = textbook(chain, q)
         R = reached[-1, :3, :3].T
         np.testing.assert_allclose(jacobian(chain, q), J, rtol=0, atol=1e-13)
-        np.testing.assert_allclose(jacobian(chain, q, "tool"), np.vstack([R @ J[:3], R @ J[3:]]), rtol=0, atol=1e-13)
+        np.testing.assert_allclose(
+            jacobian(chain, q, "tool"), np.vstack([R @ J[:3], R @ J[3:]]), rtol=0, atol=1e-13
+        )
         np.testing.assert_allclose(forward(chain, q), reached[-1], rtol=0, atol=1e-13)
         np.testing.assert_allclose(frames(chain, q), reached, rtol=0, atol=1e-13)
 
@@ -72,7 +88,13 @@ def test_rows_and_plain_math_give_the_same_numbers(name: str, reach: float):
 @chains
 def test_rows_and_plain_math_agree_around_every_quarter_turn_up_to_100_radians(name: str):
     chain, turns = CHAINS[name], np.arange(-64, 65) * (math.pi / 2)
-    beside = [turns, np.nextafter(turns, np.inf), np.nextafter(turns, -np.inf), turns + 1e-9, turns - 1e-5]
+    beside = [
+        turns,
+        np.nextafter(turns, np.inf),
+        np.nextafter(turns, -np.inf),
+        turns + 1e-9,
+        turns - 1e-5,
+    ]
     q = np.concatenate(beside)[:, None] * np.where(np.arange(chain.n) % 2, 1.0, -1.0)
     J = jacobian(chain, q)
     for row, expected in zip(q, J, strict=True):
@@ -82,9 +104,20 @@ def test_rows_and_plain_math_agree_around_every_quarter_turn_up_to_100_radians(n
 def angles_everywhere() -> Array:
     """Multiples of a quarter turn and their neighbours, and angles of every size."""
     rng, turns = np.random.default_rng(3), np.arange(-200, 201) * (math.pi / 2)
-    wide = [rng.uniform(-1, 1, 40) * 10.0**k for k in (-300, -160, -20, -8, 0, 1, 2, 4, 8, 16, 100, 300)]
+    wide = [
+        rng.uniform(-1, 1, 40) * 10.0**k for k in (-300, -160, -20, -8, 0, 1, 2, 4, 8, 16, 100, 300)
+    ]
     far = np.round(rng.uniform(-3e5, 3e5, 50)) * math.pi
-    return np.concatenate([turns, np.nextafter(turns, np.inf), np.nextafter(turns, -np.inf), far, *wide, [0.0, 5e-324]])
+    return np.concatenate(
+        [
+            turns,
+            np.nextafter(turns, np.inf),
+            np.nextafter(turns, -np.inf),
+            far,
+            *wide,
+            [0.0, 5e-324],
+        ]
+    )
 
 
 @pytest.mark.parametrize("turn", [half_angle, direct])
@@ -94,7 +127,9 @@ def test_cosines_and_sines_are_right_to_the_last_digits_at_every_finite_angle(tu
     with np.errstate(divide="raise", over="raise", invalid="raise"):
         turn(angle, cosine, sine)
     with mpmath.workdps(360):
-        exact = [(float(mpmath.cos(x)), float(mpmath.sin(x))) for x in map(mpmath.mpf, angle.tolist())]
+        exact = [
+            (float(mpmath.cos(x)), float(mpmath.sin(x))) for x in map(mpmath.mpf, angle.tolist())
+        ]
     np.testing.assert_allclose(cosine, [c for c, _ in exact], rtol=0, atol=6e-16)
     np.testing.assert_allclose(sine, [s for _, s in exact], rtol=0, atol=6e-16)
 
@@ -104,7 +139,9 @@ def test_cosine_and_sine_may_be_found_where_the_angle_lies(turn: Any):
     angle = np.linspace(-4, 4, 50)
     cosine, sine = np.empty_like(angle), angle.copy()
     turn(sine, cosine, sine)
-    np.testing.assert_allclose(np.array([cosine, sine]), [np.cos(angle), np.sin(angle)], rtol=0, atol=6e-16)
+    np.testing.assert_allclose(
+        np.array([cosine, sine]), [np.cos(angle), np.sin(angle)], rtol=0, atol=6e-16
+    )
 
 
 @pytest.mark.parametrize("size", [0, 1, FEW, FEW + 1, BLOCK - 1, BLOCK, BLOCK + 1, 2 * BLOCK + 7])
@@ -137,7 +174,9 @@ def test_rows_touch_nothing_but_their_own_part_of_a_larger_array(wanted: Any):
 def test_blocks_in_one_output_array_reduce_like_one_batch():
     q = np.random.default_rng(7).uniform(-3, 3, (5000, 6))
     out = np.empty((1000, 6, 6))
-    largest = max(np.abs(jacobian(PUMA, q[k : k + 1000], out=out)).max() for k in range(0, 5000, 1000))
+    largest = max(
+        np.abs(jacobian(PUMA, q[k : k + 1000], out=out)).max() for k in range(0, 5000, 1000)
+    )
     assert largest == pytest.approx(np.abs(jacobian(PUMA, q)).max(), abs=1e-13)
 
 
@@ -153,16 +192,26 @@ def test_a_single_result_is_an_ordinary_array_of_its_own():
 
 @pytest.mark.parametrize(
     "q",
-    [[0.0] * 6, np.zeros(6, dtype=np.float32), np.zeros(6, dtype=int), np.zeros((1, 6)), np.zeros((6, 6))[0].tolist()],
+    [
+        [0.0] * 6,
+        np.zeros(6, dtype=np.float32),
+        np.zeros(6, dtype=int),
+        np.zeros((1, 6)),
+        np.zeros((6, 6))[0].tolist(),
+    ],
 )
 def test_only_one_float_array_is_a_plain_call_and_all_others_give_the_same(q: Any):
     jacobian(PUMA, np.zeros(6))
     assert plain(PUMA, "base", np.zeros(6)) is not None
     assert plain(PUMA, "base", q) is None
-    np.testing.assert_array_equal(np.reshape(jacobian(PUMA, q), (6, 6)), jacobian(PUMA, np.zeros(6)))
+    np.testing.assert_array_equal(
+        np.reshape(jacobian(PUMA, q), (6, 6)), jacobian(PUMA, np.zeros(6))
+    )
 
 
-@pytest.mark.parametrize("bad", [[math.nan] + [0.0] * 5, [math.inf, -math.inf, 0.0, 0.0, 0.0, 0.0], [0.0] * 5])
+@pytest.mark.parametrize(
+    "bad", [[math.nan] + [0.0] * 5, [math.inf, -math.inf, 0.0, 0.0, 0.0, 0.0], [0.0] * 5]
+)
 def test_what_is_wrong_is_still_said_after_many_plain_calls(bad: list[float]):
     jacobian(PUMA, np.zeros(6))
     assert plain(PUMA, "base", np.array(bad)) is None
@@ -191,14 +240,20 @@ def test_only_angles_that_are_read_cost_a_sine():
 
 
 def test_levers_in_axes_of_their_joint_keep_programs_short():
-    steps = {name: len(trace(ROBOTS[name].chain(), "base").steps) for name in ("puma560", "planar_2r", "ur5")}
+    steps = {
+        name: len(trace(ROBOTS[name].chain(), "base").steps)
+        for name in ("puma560", "planar_2r", "ur5")
+    }
     assert steps["puma560"] <= 47
     assert steps["planar_2r"] <= 4
     assert steps["ur5"] <= 47
 
 
 def test_the_shorter_of_two_ways_to_the_tool_frame_is_taken():
-    steps = {name: len(trace(ROBOTS[name].chain(), "tool").steps) for name in ("puma560", "stanford_spong")}
+    steps = {
+        name: len(trace(ROBOTS[name].chain(), "tool").steps)
+        for name in ("puma560", "stanford_spong")
+    }
     assert steps["puma560"] <= 70  # levers in axes of their joint; 99 by cross products
     assert steps["stanford_spong"] <= 59  # by cross products; 67 otherwise
 
@@ -206,7 +261,9 @@ def test_the_shorter_of_two_ways_to_the_tool_frame_is_taken():
 def test_steps_come_just_before_their_use():
     program = trace(CHAINS["RRRRRRR"], "base")
     first = {step.target: i for i, step in enumerate(program.steps)}
-    last = {x: i for i, step in enumerate(program.steps) for x in (step.left, step.right) if x in first}
+    last = {
+        x: i for i, step in enumerate(program.steps) for x in (step.left, step.right) if x in first
+    }
     waiting = [sum(first[x] < i <= last[x] for x in last) for i in range(len(program.steps))]
     assert max(waiting) < 40
 
@@ -222,16 +279,25 @@ def test_arms_with_square_axes_keep_their_exact_quarter_turns(name: str):
     assert not any(trace(ROBOTS[name].chain(), "base").shifts)
 
 
-turns = st.sampled_from([0.0, math.pi / 2, -math.pi / 2, math.pi, 1e-10, 1e-7]) | st.floats(-3.1, 3.1)
+turns = st.sampled_from([0.0, math.pi / 2, -math.pi / 2, math.pi, 1e-10, 1e-7]) | st.floats(
+    -3.1, 3.1
+)
 
 
 @given(st.tuples(turns, turns, turns), st.sampled_from(["Rx", "Ry"]))
 @settings(max_examples=200, deadline=None)
 def test_a_folded_turn_is_the_same_turn(amounts: tuple[float, float, float], about: str):
     first, tilt, last = amounts
-    C = snapped(elementary("Rz", first) @ elementary(about, tilt) @ elementary("Rz", last) @ elementary("Ty", 0.3))
+    C = snapped(
+        elementary("Rz", first)
+        @ elementary(about, tilt)
+        @ elementary("Rz", last)
+        @ elementary("Ty", 0.3)
+    )
     before, D, behind = _folded(C)
-    np.testing.assert_allclose(elementary("Rz", before) @ D @ elementary("Rz", behind), C, rtol=0, atol=2e-15)
+    np.testing.assert_allclose(
+        elementary("Rz", before) @ D @ elementary("Rz", behind), C, rtol=0, atol=2e-15
+    )
     assert np.count_nonzero(D[:3, :3]) <= np.count_nonzero(C[:3, :3])
     if not C[:2, 2].any():
         assert before == behind == 0.0

@@ -2,10 +2,19 @@
 
 import numpy as np
 import pytest
-from kinegrade.exercises.exercise import Configurations, Exercise, ExerciseError, Numbers, Part, references
+from kinegrade.exercises.exercise import (
+    Configurations,
+    Exercise,
+    ExerciseError,
+    Numbers,
+    Part,
+    references,
+)
 
 
-def part(variable="t_x", prompt="What is x?", points=1, answer=None, solve=lambda *_: np.ones(2), **more):
+def part(
+    variable="t_x", prompt="What is x?", points=1, answer=None, solve=lambda *_: np.ones(2), **more
+):
     return Part(variable, prompt, points, answer or Numbers((2,), "m"), solve, **more)
 
 
@@ -22,9 +31,18 @@ def exercise(*parts):
         ([part(needs=("t_y",))], "needs t_y, which is not an earlier part"),
         ([part(points=0)], "positive points"),
         ([part(prompt="")], "takes a prompt"),
-        ([part(answer=Numbers((2,), "Nm"))], "exercise t: units of t_x: unknown unit 'Nm'; the nearest is 'N m'"),
-        ([part(answer=Numbers((2,), ["m", "radian"]))], "unknown unit 'radian'; the nearest is 'rad'"),
-        ([part(answer=Numbers((2,), ["m"] * 3))], "exercise t: units of t_x take the shape of its entries, (2,)"),
+        (
+            [part(answer=Numbers((2,), "Nm"))],
+            "exercise t: units of t_x: unknown unit 'Nm'; the nearest is 'N m'",
+        ),
+        (
+            [part(answer=Numbers((2,), ["m", "radian"]))],
+            "unknown unit 'radian'; the nearest is 'rad'",
+        ),
+        (
+            [part(answer=Numbers((2,), ["m"] * 3))],
+            "exercise t: units of t_x take the shape of its entries, (2,)",
+        ),
         (
             [part(answer=Configurations(2, ["rad", "mtr"]), check=lambda *_: None)],
             "unknown unit 'mtr'; the nearest is 'm",
@@ -38,7 +56,8 @@ def test_a_broken_exercise_is_refused_when_it_is_made(parts, words):
 
 
 @pytest.mark.parametrize(
-    ("value", "words"), [(np.ones(3), "got shape (3,)"), ([1, np.nan], "NaN"), (np.ones((2, 1)), "got shape (2, 1)")]
+    ("value", "words"),
+    [(np.ones(3), "got shape (3,)"), ([1, np.nan], "NaN"), (np.ones((2, 1)), "got shape (2, 1)")],
 )
 def test_a_reference_of_another_shape_or_not_finite_is_refused(value, words):
     with pytest.raises(ExerciseError) as caught:
@@ -70,15 +89,31 @@ def test_units_broadcast_to_the_shape():
     assert Numbers((2, 2), "m").unit_of_entries().tolist() == [["m", "m"], ["m", "m"]]
 
 
-@pytest.mark.parametrize("units", [{"L": "metre"}, {"q": ["rad", "rads"]}, {"J": [["m/rad", "m/rads"]]}, {"L": 1}])
+@pytest.mark.parametrize(
+    "units", [{"L": "metre"}, {"q": ["rad", "rads"]}, {"J": [["m/rad", "m/rads"]]}, {"L": 1}]
+)
 def test_a_drawn_number_with_an_unknown_unit_is_refused(units):
     name = next(iter(units))
     with pytest.raises(
-        ExerciseError, match=f"exercise t: units of {name}: (unknown unit .* the nearest is|a unit takes)"
+        ExerciseError,
+        match=f"exercise t: units of {name}: (unknown unit .* the nearest is|a unit takes)",
     ):
         Exercise("t", "Title", "S0", lambda _: {}, (), lambda _: "", units, lambda _: 1.0)
 
 
 def test_another_order_of_rows_is_refused():
-    with pytest.raises(ExerciseError, match="rows takes 'linear, angular' or 'angular, linear', got 'angular first'"):
-        Exercise("t", "Title", "S0", lambda _: {}, (), lambda _: "", {}, lambda _: 1.0, rows="angular first")
+    with pytest.raises(
+        ExerciseError,
+        match="rows takes 'linear, angular' or 'angular, linear', got 'angular first'",
+    ):
+        Exercise(
+            "t",
+            "Title",
+            "S0",
+            lambda _: {},
+            (),
+            lambda _: "",
+            {},
+            lambda _: 1.0,
+            rows="angular first",
+        )

@@ -6,10 +6,19 @@ import numpy as np
 import pytest
 from answers import EXERCISES, right_raws, variant_of
 from kinegrade.exercises.arm import arm_of
-from kinegrade.exercises.arms.articulated import LENGTHS, NAMES, S1, STRUCTURES, derivatives, drawn, in_letters, robot
+from kinegrade.exercises.arms.articulated import (
+    LENGTHS,
+    NAMES,
+    S1,
+    STRUCTURES,
+    derivatives,
+    drawn,
+    in_letters,
+    robot,
+)
 from kinegrade.exercises.exercise import references
-from kinegrade.grader.mark import mark
-from kinegrade.grader.wire import Raw
+from kinegrade.grader.collecting.wire import Raw
+from kinegrade.grader.marking.mark import mark
 from kinegrade.solutions.expression import parse
 from kinegrade.solutions.expression_array import same_formulas
 from kinegrade.solutions.jacobian import jacobian
@@ -37,7 +46,9 @@ def chain_of(v):
         ("q6", "0", "0", "0"),
     )
     lengths = {name: v[name] for name in LENGTHS}
-    return Robot("arm", "arm", lengths, rows, ((-3, 3),) * 6, "S1", base=BASES[mounting]).chain(lengths)
+    return Robot("arm", "arm", lengths, rows, ((-3, 3),) * 6, "S1", base=BASES[mounting]).chain(
+        lengths
+    )
 
 
 def position_of(structure):
@@ -49,8 +60,14 @@ def values(v):
 
 
 def marked(v, **answers):
-    raws = {**right_raws(ARM, v), **{f"articulated_derivatives_{k}": Raw("text", x) for k, x in answers.items()}}
-    return {verdict.part.removeprefix("articulated_derivatives_"): verdict for verdict in mark(ARM, v, raws)}
+    raws = {
+        **right_raws(ARM, v),
+        **{f"articulated_derivatives_{k}": Raw("text", x) for k, x in answers.items()},
+    }
+    return {
+        verdict.part.removeprefix("articulated_derivatives_"): verdict
+        for verdict in mark(ARM, v, raws)
+    }
 
 
 @pytest.mark.parametrize("structure", range(len(STRUCTURES)))
@@ -67,11 +84,19 @@ def test_the_printed_position_says_what_the_formulas_say():
     v = variant_of("articulated_derivatives", 1)
     for formula in position_of(v["structure"]):
         latex = in_letters(*formula)
-        text = latex.replace(r"\,", "*").replace("{", "").replace("}", "").replace("_", "").replace("1(", "1*(")
+        text = (
+            latex.replace(r"\,", "*")
+            .replace("{", "")
+            .replace("}", "")
+            .replace("_", "")
+            .replace("1(", "1*(")
+        )
         for letter, name in (("S", "sin"), ("C", "cos")):
             for digits, angle in (("234", "q2+q3+q4"), ("23", "q2+q3"), ("2", "q2"), ("1", "q1")):
                 text = text.replace(letter + digits, f"{name}({angle})")
-        assert parse(text, NAMES).at(values(v)) == pytest.approx(parse(str(*formula), NAMES).at(values(v)))
+        assert parse(text, NAMES).at(values(v)) == pytest.approx(
+            parse(str(*formula), NAMES).at(values(v))
+        )
         assert latex in ARM.statement(v)
 
 
@@ -81,7 +106,9 @@ def test_no_column_of_joints_1_to_4_is_the_one_in_s1(structure):
         own = derivatives(robot(structure), i)
         same = same_formulas(own, derivatives(S1, i), NAMES)
         zero = [not entry.names for entry in own.entries]
-        assert [bool(agrees) and not nothing for agrees, nothing in zip(same, zero, strict=True)] == [False] * 6
+        assert [
+            bool(agrees) and not nothing for agrees, nothing in zip(same, zero, strict=True)
+        ] == [False] * 6
 
 
 def test_the_row_that_s1_prints_earns_nothing_and_is_named():
@@ -100,7 +127,9 @@ def test_shorthands_are_read_and_a_wrong_zero_costs_one_derivative():
     row_z = references(ARM, v)["articulated_derivatives_z"]
     texts = row_z.text()
     earning = sum(bool(entry.names) for entry in row_z.entries)
-    short = [t.replace("cos(q2 + q3 + q4)", "C234").replace("sin(q2 + q3 + q4)", "s_234") for t in texts]
+    short = [
+        t.replace("cos(q2 + q3 + q4)", "C234").replace("sin(q2 + q3 + q4)", "s_234") for t in texts
+    ]
     assert short != texts
     assert marked(v, z=short)["z"].status == "correct"
     assert marked(v, z=[*texts[:5], "a4*C234"])["z"].points == round(2 * (earning - 1) / earning, 2)
@@ -114,7 +143,10 @@ def test_numbers_follow_from_own_wrong_rows():
     part = ARM.parts[3]
     J = part.solve(v, {**answers, "articulated_derivatives_x": wrong})
     assert np.abs(J - answers[part.variable]).max() > 0.01
-    raws = right_raws(ARM, v) | {"articulated_derivatives_x": Raw("text", wrong.text()), part.variable: Raw("num", J)}
+    raws = right_raws(ARM, v) | {
+        "articulated_derivatives_x": Raw("text", wrong.text()),
+        part.variable: Raw("num", J),
+    }
     verdict = mark(ARM, v, raws)[3]
     assert verdict.points == part.points
     assert "your own articulated_derivatives_x" in verdict.findings[-1].text

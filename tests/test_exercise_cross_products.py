@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from answers import EXERCISES, raws, right_raws, variant_of
 from kinegrade.exercises.exercise import references
-from kinegrade.grader.mark import mark
+from kinegrade.grader.marking.mark import mark
 from kinegrade.solutions.jacobian import jacobian
 
 EXERCISE = EXERCISES["cross_products"]
@@ -36,7 +36,9 @@ def test_the_linear_rows_agree_with_an_arm_that_is_moved_a_little(seed):
     v = variant_of("cross_products", seed)
     J, h = references(EXERCISE, v)["cross_products_J"], 1e-6
     for joint in (1, 2, 3):
-        np.testing.assert_allclose(J[:3, joint - 1], (moved(v, joint, h) - moved(v, joint, -h)) / (2 * h), atol=1e-8)
+        np.testing.assert_allclose(
+            J[:3, joint - 1], (moved(v, joint, h) - moved(v, joint, -h)) / (2 * h), atol=1e-8
+        )
 
 
 @pytest.mark.parametrize("seed", SEEDS)
@@ -97,7 +99,9 @@ def columns_at(v, *joints):
     """Axes as printed and the linear parts z x (p - p_i) of these joints."""
     w = [np.array(v[f"w{joint}"], dtype=float) for joint in joints]
     levers = [np.array(v["p"]) - v[f"p{joint}"] for joint in joints]
-    linear = [np.cross(axis / np.linalg.norm(axis), lever) for axis, lever in zip(w, levers, strict=True)]
+    linear = [
+        np.cross(axis / np.linalg.norm(axis), lever) for axis, lever in zip(w, levers, strict=True)
+    ]
     return np.array(w).T, np.array(linear).T
 
 
@@ -106,13 +110,19 @@ def test_wrong_columns_of_the_slide_are_named_alone_and_in_the_jacobian(seed):
     v = variant_of("cross_products", seed)
     slides = v["kinds"].index("P") + 1
     w, linear = columns_at(v, slides)
-    z, others = w[:, 0] / np.linalg.norm(w), [columns_at(v, joint)[0][:, 0] for joint in (1, 2, 3) if joint != slides]
+    z, others = (
+        w[:, 0] / np.linalg.norm(w),
+        [columns_at(v, joint)[0][:, 0] for joint in (1, 2, 3) if joint != slides],
+    )
     wrong = [
         (np.append(linear, z), "column of a revolute joint"),
         (np.append(linear, np.zeros(3)), "lever arm"),
         (np.append(z, z), "angular part"),
         (np.append(w, np.zeros(3)), "used as printed"),
-        *((np.append(other / np.linalg.norm(other), np.zeros(3)), "another joint") for other in others),
+        *(
+            (np.append(other / np.linalg.norm(other), np.zeros(3)), "another joint")
+            for other in others
+        ),
     ]
     for column, words in wrong:
         alone = verdict_of(v, "cross_products_slide", column)
@@ -144,6 +154,10 @@ def test_printed_directions_and_reversed_products_are_named_in_the_jacobian():
     rows[3:, turning] = J[3:, turning]
     backward = J.copy()
     backward[:3, turning] *= -1
-    for wrong, words in ((J * sizes, "as printed"), (J + rows * (sizes - 1), "angular rows"), (backward, "reversed")):
+    for wrong, words in (
+        (J * sizes, "as printed"),
+        (J + rows * (sizes - 1), "angular rows"),
+        (backward, "reversed"),
+    ):
         verdict = verdict_of(v, "cross_products_J", wrong)
         assert words in verdict.findings[0].text

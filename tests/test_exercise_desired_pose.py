@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 from answers import EXERCISES, raws, variant_of
-from kinegrade.course.notebook import given_cell
+from kinegrade.course.sheet.notebook import given_cell
 from kinegrade.exercises.exercise import references
-from kinegrade.grader.answer_key import AnswerKey
-from kinegrade.grader.mark import mark
+from kinegrade.grader.marking.answer_key import AnswerKey
+from kinegrade.grader.marking.mark import mark
 
 EXERCISE = EXERCISES["desired_pose"]
 SEEDS = range(8)
@@ -20,7 +20,9 @@ ORDER = ("du", "dq", "rest", "second", "left")
 
 def link(t, d, a, al):
     c, s, ca, sa = np.cos(t), np.sin(t), np.cos(al), np.sin(al)
-    return np.array([[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d], [0, 0, 0, 1]])
+    return np.array(
+        [[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d], [0, 0, 0, 1]]
+    )
 
 
 def pose(q):
@@ -73,7 +75,12 @@ def worked(v, **own):
 
 
 def marked(v, answers, key=None):
-    verdicts = mark(EXERCISE, v, raws({f"desired_pose_{name}": value for name, value in answers.items()}), key=key)
+    verdicts = mark(
+        EXERCISE,
+        v,
+        raws({f"desired_pose_{name}": value for name, value in answers.items()}),
+        key=key,
+    )
     return dict(zip(ORDER, verdicts, strict=True))
 
 
@@ -130,7 +137,9 @@ def test_one_wrong_entry_of_the_first_step_is_followed_by_the_rest_of_the_sheet(
     wrong = worked(v)["dq"] + [0, 0, 0.02, 0, 0, 0]
     verdicts = marked(v, worked(v, dq=wrong))
     assert 0 < verdicts["dq"].points < 2
-    assert all(verdicts[name].points == verdicts[name].out_of for name in ("rest", "second", "left"))
+    assert all(
+        verdicts[name].points == verdicts[name].out_of for name in ("rest", "second", "left")
+    )
 
 
 def tool_axes(T, du):
@@ -154,7 +163,10 @@ def first_order(T, goal):
     M, right = goal[:3, :3] @ T[:3, :3].T, way(T, goal)
     half = np.array([M[2, 1] - M[1, 2], M[0, 2] - M[2, 0], M[1, 0] - M[0, 1]]) / 2
     roll_pitch_yaw = np.arctan2(M[2, 1], M[2, 2]), np.arcsin(-M[2, 0]), np.arctan2(M[1, 0], M[0, 0])
-    return {"times the sine": [*right[:3], *half], "roll, pitch and yaw": [*right[:3], *roll_pitch_yaw]}
+    return {
+        "times the sine": [*right[:3], *half],
+        "roll, pitch and yaw": [*right[:3], *roll_pitch_yaw],
+    }
 
 
 def mistakes(v):
@@ -165,7 +177,10 @@ def mistakes(v):
     J, R, after = jacobian(q), pose(q)[:3, :3], q + dq
     in_tool = np.concatenate([R.T @ J[:3], R.T @ J[3:]])
     degrees = np.array([1, 1, 1, *[180 / np.pi] * 3])
-    yield from (("du", word, value) for word, value in {**slips(pose(q), goal), **first_order(pose(q), goal)}.items())
+    yield from (
+        ("du", word, value)
+        for word, value in {**slips(pose(q), goal), **first_order(pose(q), goal)}.items()
+    )
     yield "du", "degrees", du * degrees
     yield "du", "Every sign", -du
     yield "dq", "transposed", J.T @ du
@@ -218,7 +233,11 @@ def test_a_step_into_a_singular_posture_is_marked_and_not_the_end_of_the_marking
     q, _ = sheet(v)
     straight = -q * [0, 0, 1, 0, 1, 0]  # q3 = q5 = 0 after it: elbow and wrist
     answers = {**worked(v), "dq": straight}
-    assert {verdict.status for verdict in marked(v, answers).values()} <= {"correct", "partly", "incorrect"}
+    assert {verdict.status for verdict in marked(v, answers).values()} <= {
+        "correct",
+        "partly",
+        "incorrect",
+    }
 
 
 @pytest.mark.parametrize("seed", SEEDS)

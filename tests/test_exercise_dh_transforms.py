@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from answers import EXERCISES, raws, right_raws, variant_of
 from kinegrade.exercises.exercise import references
-from kinegrade.grader.mark import mark
+from kinegrade.grader.marking.mark import mark
 from kinegrade.solutions.kinematics import forward
 
 EXERCISE = EXERCISES["dh_transforms"]
@@ -27,17 +27,29 @@ def printed_rows(v):
     lines = [line for line in EXERCISE.statement(v).splitlines() if line.startswith("|")]
     cells = [[cell.strip() for cell in line.strip("|").split("|")] for line in lines]
     labels = [LABELS[label] for label in cells[0][1:]]
-    return [dict(zip(labels, (value(cell, v) for cell in row[1:]), strict=True)) for row in cells[2:]]
+    return [
+        dict(zip(labels, (value(cell, v) for cell in row[1:]), strict=True)) for row in cells[2:]
+    ]
 
 
 def link(theta, alpha, a, d):
     """The matrix that S2 prints, written out."""
     ct, st, ca, sa = np.cos(theta), np.sin(theta), np.cos(alpha), np.sin(alpha)
-    return np.array([[ct, -st * ca, st * sa, a * ct], [st, ct * ca, -ct * sa, a * st], [0, sa, ca, d], [0, 0, 0, 1]])
+    return np.array(
+        [
+            [ct, -st * ca, st * sa, a * ct],
+            [st, ct * ca, -ct * sa, a * st],
+            [0, sa, ca, d],
+            [0, 0, 0, 1],
+        ]
+    )
 
 
 def verdicts_of(v, answers):
-    return {verdict.part: verdict for verdict in mark(EXERCISE, v, right_raws(EXERCISE, v) | raws(answers))}
+    return {
+        verdict.part: verdict
+        for verdict in mark(EXERCISE, v, right_raws(EXERCISE, v) | raws(answers))
+    }
 
 
 @pytest.mark.parametrize("seed", SEEDS)
@@ -46,7 +58,9 @@ def test_the_transforms_follow_from_the_table_as_it_is_printed(seed):
     first, second, third = (link(**row) for row in printed_rows(v))
     got = references(EXERCISE, v)
     np.testing.assert_allclose(got["dh_transforms_links"], [first, second, third], atol=1e-12)
-    np.testing.assert_allclose(got["dh_transforms_frames"], [first @ second, first @ second @ third], atol=1e-12)
+    np.testing.assert_allclose(
+        got["dh_transforms_frames"], [first @ second, first @ second @ third], atol=1e-12
+    )
 
 
 @pytest.mark.parametrize("seed", SEEDS)
@@ -75,7 +89,9 @@ def test_one_length_is_negative_and_some_joint_slides(seed):
 
 
 def test_the_columns_are_printed_in_several_orders():
-    headers = {EXERCISE.statement(variant_of("dh_transforms", seed)).splitlines()[2] for seed in SEEDS}
+    headers = {
+        EXERCISE.statement(variant_of("dh_transforms", seed)).splitlines()[2] for seed in SEEDS
+    }
     assert len(headers) >= 3
 
 
@@ -83,7 +99,9 @@ def test_the_columns_are_printed_in_several_orders():
 def test_the_chain_that_s2_prints_is_named_and_earns_nothing(seed):
     v = variant_of("dh_transforms", seed)
     T1, T12, _ = references(EXERCISE, v)["dh_transforms_links"]
-    verdict = verdicts_of(v, {"dh_transforms_frames": np.array([T1, T1 @ T1 @ T12])})["dh_transforms_frames"]
+    verdict = verdicts_of(v, {"dh_transforms_frames": np.array([T1, T1 @ T1 @ T12])})[
+        "dh_transforms_frames"
+    ]
     assert verdict.points == 0
     assert any("link 1 comes twice" in finding.text for finding in verdict.findings)
 
@@ -100,7 +118,10 @@ def test_links_in_the_modified_order_are_followed_through():
     v = variant_of("dh_transforms", 0)
     links, frames = EXERCISE.asked[1:]
     wrong = links.mistakes[0].solve(v, {})
-    given = {"dh_transforms_links": wrong, "dh_transforms_frames": frames.solve(v, {"dh_transforms_links": wrong})}
+    given = {
+        "dh_transforms_links": wrong,
+        "dh_transforms_frames": frames.solve(v, {"dh_transforms_links": wrong}),
+    }
     verdicts = verdicts_of(v, given)
     assert verdicts["dh_transforms_links"].status != "correct"
     assert verdicts["dh_transforms_frames"].points == frames.points
@@ -119,7 +140,11 @@ def wrong_units(v, columns):
 
 @pytest.mark.parametrize(
     ("columns", "words"),
-    [("theta", "column of theta, printed in degrees"), ("alpha", "angles alpha"), ("theta alpha", "of the table")],
+    [
+        ("theta", "column of theta, printed in degrees"),
+        ("alpha", "angles alpha"),
+        ("theta alpha", "of the table"),
+    ],
 )
 @pytest.mark.parametrize("seed", SEEDS)
 def test_degrees_of_the_table_taken_for_radians_are_named_and_followed(columns, words, seed):

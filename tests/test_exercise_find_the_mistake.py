@@ -7,15 +7,15 @@ from itertools import combinations
 import numpy as np
 import pytest
 from answers import EXERCISES, right_raws, variant_of
-from kinegrade.course.notebook import printed
+from kinegrade.course.sheet.notebook import printed
 from kinegrade.exercises.arm import arm_of
 from kinegrade.exercises.arms.twisted import FORMS, KINDS, robot
+from kinegrade.exercises.calculations.columns import right
 from kinegrade.exercises.catalogue.find_the_mistake import OPTIONS, SLIPS
 from kinegrade.exercises.catalogue.find_the_mistake import slip_of as slip_of_arm
-from kinegrade.exercises.columns import right
 from kinegrade.exercises.exercise import references
-from kinegrade.grader.mark import mark
-from kinegrade.grader.wire import Raw
+from kinegrade.grader.collecting.wire import Raw
+from kinegrade.grader.marking.mark import mark
 from kinegrade.solutions.jacobian import jacobian
 
 EXERCISE = EXERCISES["find_the_mistake"]
@@ -31,7 +31,11 @@ def slip_of(v):
 
 
 def variant_with(slip):
-    return next(v for v in (variant_of("find_the_mistake", seed) for seed in range(200)) if slip_of(v) == slip)
+    return next(
+        v
+        for v in (variant_of("find_the_mistake", seed) for seed in range(200))
+        if slip_of(v) == slip
+    )
 
 
 def verdicts(v, J=None, letter=None):
@@ -43,13 +47,25 @@ def verdicts(v, J=None, letter=None):
 def frames_from_the_text(v):
     """T_0^0 ... T_0^4 from the printed table and numbers alone."""
     values = {"0": 0.0, r"\pi/2": np.pi / 2, r"-\pi/2": -np.pi / 2}
-    values |= {f"{name[0]}_{name[1]}": v[name] for name in EXERCISE.units if isinstance(v.get(name), float)}
+    values |= {
+        f"{name[0]}_{name[1]}": v[name] for name in EXERCISE.units if isinstance(v.get(name), float)
+    }
     values |= {f"q_{i}": x for i, x in enumerate(v["q"], 1)}
     T = [np.eye(4)]
-    for row in re.findall(r"\| \$\d\$ \| \$(.*?)\$ \| \$(.*?)\$ \| \$(.*?)\$ \| \$(.*?)\$ \|", EXERCISE.statement(v)):
+    for row in re.findall(
+        r"\| \$\d\$ \| \$(.*?)\$ \| \$(.*?)\$ \| \$(.*?)\$ \| \$(.*?)\$ \|", EXERCISE.statement(v)
+    ):
         theta, d, a, alpha = (values[cell] for cell in row)
         c, s, ca, sa = np.cos(theta), np.sin(theta), np.cos(alpha), np.sin(alpha)
-        T.append(T[-1] @ [[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d], [0, 0, 0, 1]])
+        T.append(
+            T[-1]
+            @ [
+                [c, -s * ca, s * sa, a * c],
+                [s, c * ca, -c * sa, a * s],
+                [0, sa, ca, d],
+                [0, 0, 0, 1],
+            ]
+        )
     return T
 
 
@@ -73,7 +89,10 @@ def test_the_sheet_alone_is_enough(seed):
         return z[i] * (i != 2)
 
     wrong = {
-        "a": matrix(lambda i: z[3] if i == 2 else np.cross(z[i + 1], tip - o[i]), lambda i: z[i + 1] * (i != 2)),
+        "a": matrix(
+            lambda i: z[3] if i == 2 else np.cross(z[i + 1], tip - o[i]),
+            lambda i: z[i + 1] * (i != 2),
+        ),
         "b": matrix(lambda i: z[2] if i == 2 else np.cross(z[i], o[i + 1] - o[i]), axis),
         "c": matrix(lambda i: z[2] if i == 2 else np.cross(z[i], tip), axis),
         "d": matrix(lambda i: z[2] if i == 2 else np.cross(tip - o[i], z[i]), axis),
@@ -85,7 +104,9 @@ def test_the_sheet_alone_is_enough(seed):
     fitting = [letter for letter, matrix in wrong.items() if np.abs(matrix - v["W"]).max() < 1e-3]
     assert fitting == [references(EXERCISE, v)["find_the_mistake_name"]]
     assert [x.status for x in verdicts(v, np.round(J, 3), fitting[0])] == ["correct", "correct"]
-    np.testing.assert_allclose(jacobian(robot(v["form"]).chain(only_lengths(v)), v["q"]), J, atol=1e-5)
+    np.testing.assert_allclose(
+        jacobian(robot(v["form"]).chain(only_lengths(v)), v["q"]), J, atol=1e-5
+    )
 
 
 def only_lengths(v):
@@ -124,7 +145,10 @@ def test_naming_alone_earns_at_most_thirty_percent():
 def test_the_printed_matrix_is_no_repair_whole_or_touched_up(slip):
     v = variant_with(slip)
     W = np.array(v["W"])
-    assert (verdicts(v, W)[1].points, verdicts(v, W)[1].reading) == (0, "This is the printed matrix as it was.")
+    assert (verdicts(v, W)[1].points, verdicts(v, W)[1].reading) == (
+        0,
+        "This is the printed matrix as it was.",
+    )
     touched = W.copy()
     touched[0, 0] += 0.1
     assert verdicts(v, touched)[1].points == 0

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from answers import EXERCISES, raws, variant_of
 from kinegrade.exercises.exercise import references
-from kinegrade.grader.mark import mark
+from kinegrade.grader.marking.mark import mark
 
 EXERCISE = EXERCISES["frames"]
 SEEDS = range(8)
@@ -15,12 +15,17 @@ def table(v):
     """Cells as they are printed."""
     lines = EXERCISE.statement(v).splitlines()
     rows = [line for line in lines if line[2:].lstrip("$")[:1].isdigit()]
-    return [[cell.strip(" $").replace("\\", "").replace("_", "") for cell in row.split("|")[2:-1]] for row in rows]
+    return [
+        [cell.strip(" $").replace("\\", "").replace("_", "") for cell in row.split("|")[2:-1]]
+        for row in rows
+    ]
 
 
 def link(t, d, a, al):
     c, s, ca, sa = np.cos(t), np.sin(t), np.cos(al), np.sin(al)
-    return np.array([[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d], [0, 0, 0, 1]])
+    return np.array(
+        [[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d], [0, 0, 0, 1]]
+    )
 
 
 def poses(v, q, constant_angle=True):
@@ -42,7 +47,12 @@ def pose(v, q):
 def columns(frames, kinds="RRPR"):
     p = frames[-1][:3, 3]
     pairs = [(T[:3, 2], np.cross(T[:3, 2], p - T[:3, 3])) for T in frames[:-1]]
-    return np.array([[*v, *z] if kind == "R" else [*z, 0, 0, 0] for kind, (z, v) in zip(kinds, pairs, strict=True)]).T
+    return np.array(
+        [
+            [*v, *z] if kind == "R" else [*z, 0, 0, 0]
+            for kind, (z, v) in zip(kinds, pairs, strict=True)
+        ]
+    ).T
 
 
 def shift(p):
@@ -76,7 +86,9 @@ def test_the_three_jacobians_are_derivatives_of_the_pose(seed):
 @pytest.mark.parametrize("seed", SEEDS)
 def test_the_matrix_leads_from_the_tool_to_the_base_origin(seed):
     got = references(EXERCISE, variant_of("frames", seed))
-    np.testing.assert_allclose(got["frames_X"] @ got["frames_tool"], got["frames_origin"], atol=1e-12)
+    np.testing.assert_allclose(
+        got["frames_X"] @ got["frames_tool"], got["frames_origin"], atol=1e-12
+    )
 
 
 @pytest.mark.parametrize("seed", SEEDS)
@@ -91,17 +103,23 @@ def test_the_printed_twist_is_in_the_named_frame_and_in_no_other(seed):
 
 
 def test_all_four_frames_are_drawn():
-    assert {references(EXERCISE, variant_of("frames", seed))["frames_which"] for seed in range(30)} == set("abcd")
+    assert {
+        references(EXERCISE, variant_of("frames", seed))["frames_which"] for seed in range(30)
+    } == set("abcd")
 
 
 def verdicts(v, **answers):
     right = references(EXERCISE, v)
-    found = mark(EXERCISE, v, raws(right | {f"frames_{name}": value for name, value in answers.items()}))
+    found = mark(
+        EXERCISE, v, raws(right | {f"frames_{name}": value for name, value in answers.items()})
+    )
     return {verdict.part.removeprefix("frames_"): verdict for verdict in found}
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_the_asked_matrix_is_the_only_one_for_all_twists_and_one_from_the_jacobians_alone_is_named(seed):
+def test_the_asked_matrix_is_the_only_one_for_all_twists_and_one_from_the_jacobians_alone_is_named(
+    seed,
+):
     v = variant_of("frames", seed)
     got = references(EXERCISE, v)
     X = got["frames_origin"] @ np.linalg.pinv(got["frames_tool"])
@@ -139,7 +157,9 @@ def test_a_forgotten_right_angle_in_row_3_is_named_and_what_comes_after_it_follo
     assert "Row 3" in found["T"].findings[0].text
     assert "Row 3" in found["J"].findings[0].text
     assert [found[name].points for name in ("origin", "X")] == [2, 3]
-    assert any("Row 3" in finding.text for finding in found["tool"].findings)  # an easier matrix, which is not followed
+    assert any(
+        "Row 3" in finding.text for finding in found["tool"].findings
+    )  # an easier matrix, which is not followed
 
 
 @pytest.mark.parametrize("seed", SEEDS)
@@ -160,7 +180,10 @@ def test_another_frame_or_a_shift_too_many_is_named(seed):
     assert "in tool axes" in found["origin"].findings[0].text
     tool = np.vstack([R.T @ J[:3], R.T @ J[3:]])
     late = np.vstack([tool[:3] + S @ tool[3:], tool[3:]])
-    assert "start from the Jacobian in base axes" in verdicts(v, origin=late)["origin"].findings[0].text
+    assert (
+        "start from the Jacobian in base axes"
+        in verdicts(v, origin=late)["origin"].findings[0].text
+    )
 
 
 def test_conversions_follow_from_a_wrong_jacobian():
@@ -176,4 +199,8 @@ def test_conversions_follow_from_a_wrong_jacobian():
     }
     found = {verdict.part: verdict for verdict in mark(EXERCISE, v, raws(got | own))}
     assert found["frames_J"].status == "partly"
-    assert [found[name].points for name in ("frames_tool", "frames_origin", "frames_X")] == [2, 2, 3]
+    assert [found[name].points for name in ("frames_tool", "frames_origin", "frames_X")] == [
+        2,
+        2,
+        3,
+    ]

@@ -4,16 +4,15 @@ import json
 
 import numpy as np
 import pytest
-from answers import EXERCISES, right_raws, variant_of
-from kinegrade.course.blanks import answer_code
-from kinegrade.course.notebook import given_cell, printed
-from kinegrade.course.submissions import Submission
+from answers import EXERCISES, answer_code, right_raws, variant_of
+from kinegrade.course.sheet.notebook import given_cell, printed
+from kinegrade.course.sheet.submissions import Submission
 from kinegrade.exercises.catalogue.implement_it import GROUPS, PUBLISHED, published
 from kinegrade.exercises.catalogue.implement_it import reference as jacobian
 from kinegrade.exercises.exercise import references
-from kinegrade.grader.ask import Limits
-from kinegrade.grader.handed_in import handed_in
-from kinegrade.grader.mark import mark
+from kinegrade.grader.collecting.ask import Limits
+from kinegrade.grader.kinds.markers import handed_in
+from kinegrade.grader.marking.mark import mark
 from kinegrade.solutions.chain import from_standard
 from kinegrade.solutions.jacobian import jacobian as jacobian_of_chain
 
@@ -44,7 +43,10 @@ def test_the_reference_is_the_engines_jacobian_and_that_of_differences(seed):
         chain, h = from_standard(dh, kinds), 1e-6
         J = jacobian(np.array(dh), kinds, np.array(q))
         np.testing.assert_allclose(J, jacobian_of_chain(chain, q), atol=1e-12)
-        tips = [[tip(dh, kinds, np.add(q, sign * step)) for step in h * np.eye(len(q))] for sign in (1, -1)]
+        tips = [
+            [tip(dh, kinds, np.add(q, sign * step)) for step in h * np.eye(len(q))]
+            for sign in (1, -1)
+        ]
         np.testing.assert_allclose(J[:3], np.subtract(*tips).T / (2 * h), atol=1e-8)
 
 
@@ -81,7 +83,9 @@ def test_the_published_robots_are_given_with_their_numbers():
     v = variant_of("implement_it", 2)
     names = {"np": np}
     exec(given_cell(EXERCISE, v), names)  # noqa: S102 - our own text
-    for i, (kinds, ((dh, also, q),)) in enumerate(zip(PUBLISHED, published(v).values(), strict=True), 1):
+    for i, (kinds, ((dh, also, q),)) in enumerate(
+        zip(PUBLISHED, published(v).values(), strict=True), 1
+    ):
         assert kinds == also
         assert f"robot {i} `{kinds}`" in EXERCISE.statement(v)
         np.testing.assert_array_equal(names[f"implement_it_dh_{i}"], dh)
@@ -89,7 +93,9 @@ def test_the_published_robots_are_given_with_their_numbers():
 
 
 @pytest.mark.parametrize(("wrong", "points"), [((), 8), ((1,), 5.33), ((0, 2), 2.67)])
-def test_a_file_of_results_for_the_published_robots_is_marked_robot_by_robot(tmp_path, wrong, points):
+def test_a_file_of_results_for_the_published_robots_is_marked_robot_by_robot(
+    tmp_path, wrong, points
+):
     v = variant_of("implement_it", 3)
     results = [jacobian(*call[0]) for call in published(v).values()]
     data = {NAME: [(-J if i in wrong else J).tolist() for i, J in enumerate(results)]}

@@ -5,7 +5,7 @@ import pytest
 from answers import EXERCISES, raws, variant_of
 from kinegrade.exercises.catalogue.inverse_velocities import draw
 from kinegrade.exercises.exercise import references
-from kinegrade.grader.mark import mark
+from kinegrade.grader.marking.mark import mark
 
 EXERCISE = EXERCISES["inverse_velocities"]
 SEEDS = range(9)
@@ -20,14 +20,22 @@ def jacobian(q):
     for angle, (d, a, quarters) in zip(q, rows, strict=True):
         c, s, al = np.cos(angle), np.sin(angle), quarters * np.pi / 2
         ca, sa = np.cos(al), np.sin(al)
-        link = [[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d], [0, 0, 0, 1]]
+        link = [
+            [c, -s * ca, s * sa, a * c],
+            [s, c * ca, -c * sa, a * s],
+            [0, sa, ca, d],
+            [0, 0, 0, 1],
+        ]
         poses.append(poses[-1] @ link)
     hand = poses[-1][:3, 3]
     return np.array([[*np.cross(T[:3, 2], hand - T[:3, 3]), *T[:3, 2]] for T in poses[:-1]]).T
 
 
 def verdict_of(v, name, value):
-    verdicts = {verdict.part: verdict for verdict in mark(EXERCISE, v, raws(references(EXERCISE, v) | {name: value}))}
+    verdicts = {
+        verdict.part: verdict
+        for verdict in mark(EXERCISE, v, raws(references(EXERCISE, v) | {name: value}))
+    }
     return verdicts[name]
 
 
@@ -87,7 +95,11 @@ def test_no_rates_have_a_component_along_the_lost_direction(seed):
 def test_the_lost_direction_counts_with_either_sign_and_any_length(seed):
     v = variant_of("inverse_velocities", seed)
     u = references(EXERCISE, v)[LOST]
-    assert verdict_of(v, LOST, -u).status == verdict_of(v, LOST, 3 * np.round(u, 4)).status == "correct"
+    assert (
+        verdict_of(v, LOST, -u).status
+        == verdict_of(v, LOST, 3 * np.round(u, 4)).status
+        == "correct"
+    )
     J = jacobian(v["q"])
     block = J[3:, 3:] if references(EXERCISE, v)["inverse_velocities_reason"] == "a" else J[:3, :3]
     rates = verdict_of(v, LOST, -np.linalg.svd(block)[2][-1])
@@ -114,7 +126,9 @@ def test_both_elbow_angles_make_the_arm_block_singular(seed):
 
 def test_the_elbow_of_the_puma_itself_is_where_it_is_known_to_be():
     v = variant_of("inverse_velocities") | {"a3": A3, "d4": D4}
-    np.testing.assert_allclose(np.degrees(references(EXERCISE, v)[ELBOW].ravel()), [-87.308, 92.692], atol=5e-4)
+    np.testing.assert_allclose(
+        np.degrees(references(EXERCISE, v)[ELBOW].ravel()), [-87.308, 92.692], atol=5e-4
+    )
 
 
 @pytest.mark.parametrize(
@@ -144,7 +158,10 @@ def test_ranks_follow_from_a_jacobian_in_the_tool_frame():
     own = {"inverse_velocities_J": exercise.parts[0].mistakes[0].solve(v, {})}
     ranks = exercise.parts[1].solve(v, own)
     found = {
-        x.part: x for x in mark(exercise, v, raws(references(exercise, v) | own | {exercise.parts[1].variable: ranks}))
+        x.part: x
+        for x in mark(
+            exercise, v, raws(references(exercise, v) | own | {exercise.parts[1].variable: ranks})
+        )
     }
     assert found["inverse_velocities_J"].points == 0
     assert found[exercise.parts[1].variable].points == 2

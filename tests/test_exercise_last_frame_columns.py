@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 from answers import EXERCISES, right_raws, variant_of
-from kinegrade.course.notebook import given_cell
+from kinegrade.course.sheet.notebook import given_cell
 from kinegrade.exercises.exercise import references
-from kinegrade.grader.mark import mark
-from kinegrade.grader.wire import Raw
+from kinegrade.grader.collecting.wire import Raw
+from kinegrade.grader.marking.mark import mark
 
 COLUMNS = EXERCISES["last_frame_columns"]
 QUARTER = np.pi / 2
@@ -15,7 +15,9 @@ SEEDS = range(8)
 
 def link(theta, d, a, alpha):
     c, s, k, t = np.cos(theta), np.sin(theta), np.cos(alpha), np.sin(alpha)
-    return np.array([[c, -s * k, s * t, a * c], [s, c * k, -c * t, a * s], [0, t, k, d], [0, 0, 0, 1]])
+    return np.array(
+        [[c, -s * k, s * t, a * c], [s, c * k, -c * t, a * s], [0, t, k, d], [0, 0, 0, 1]]
+    )
 
 
 def sheet(v):
@@ -63,7 +65,10 @@ def test_a_sheet_solved_from_what_is_printed_alone_is_right(seed):
         "J": np.concatenate([R.T @ J0[:3], R.T @ J0[3:]]),
         "base": J0,
     }
-    raws = {f"last_frame_columns_{name}": Raw("num", np.round(value, 3)) for name, value in answers.items()}
+    raws = {
+        f"last_frame_columns_{name}": Raw("num", np.round(value, 3))
+        for name, value in answers.items()
+    }
     assert [verdict.status for verdict in mark(COLUMNS, v, raws)] == ["correct"] * 4
 
 
@@ -84,14 +89,19 @@ def test_the_printed_transforms_are_those_of_the_table_and_their_columns_those_o
 def test_a_column_on_paper_may_come_from_exact_transforms_too(seed):
     v = variant_of("last_frame_columns", seed)
     J = references(COLUMNS, v)["last_frame_columns_J"]
-    exact = {f"last_frame_columns_{name}": J[:, i - 1] for name, i in zip("AB", v["columns"], strict=True)}
+    exact = {
+        f"last_frame_columns_{name}": J[:, i - 1]
+        for name, i in zip("AB", v["columns"], strict=True)
+    }
     raws = right_raws(COLUMNS, v) | {name: Raw("num", np.round(x, 3)) for name, x in exact.items()}
     assert [verdict.status for verdict in mark(COLUMNS, v, raws)] == ["correct"] * 4
 
 
 def modified(theta, d, a, alpha):
     c, s, k, t = np.cos(theta), np.sin(theta), np.cos(alpha), np.sin(alpha)
-    return np.array([[c, -s, 0, a], [s * k, c * k, -t, -d * t], [s * t, c * t, k, d * k], [0, 0, 0, 1]])
+    return np.array(
+        [[c, -s, 0, a], [s * k, c * k, -t, -d * t], [s * t, c * t, k, d * k], [0, 0, 0, 1]]
+    )
 
 
 def own_way(given, q, link, right_angle):
@@ -110,7 +120,9 @@ def own_way(given, q, link, right_angle):
     ("link", "right_angle", "factor", "word"),
     [(modified, QUARTER, 1, "modified"), (link, 90, 180 / np.pi, "degrees")],
 )
-def test_another_convention_and_degrees_are_named_in_both_matrices(seed, link, right_angle, factor, word):
+def test_another_convention_and_degrees_are_named_in_both_matrices(
+    seed, link, right_angle, factor, word
+):
     v = variant_of("last_frame_columns", seed)
     given = sheet(v)
     J, R = own_way(given, factor * np.array(given["q"]), link, right_angle)
@@ -120,7 +132,11 @@ def test_another_convention_and_degrees_are_named_in_both_matrices(seed, link, r
     found = mark(COLUMNS, v, raws)[2:]
     assert all(verdict.points < verdict.out_of / 2 for verdict in found)
     assert word in found[0].findings[0].text
-    alone = mark(COLUMNS, v, right_raws(COLUMNS, v) | {"last_frame_columns_base": Raw("num", turned_by(R, v))})[3]
+    alone = mark(
+        COLUMNS,
+        v,
+        right_raws(COLUMNS, v) | {"last_frame_columns_base": Raw("num", turned_by(R, v))},
+    )[3]
     assert word in alone.findings[0].text
 
 

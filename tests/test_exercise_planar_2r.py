@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from answers import EXERCISES, raws, right_raws, variant_of
 from kinegrade.exercises.exercise import references
-from kinegrade.grader.mark import mark
-from kinegrade.grader.wire import Raw
+from kinegrade.grader.collecting.wire import Raw
+from kinegrade.grader.marking.mark import mark
 from kinegrade.solutions.expression_array import expression_array
 from kinegrade.solutions.jacobian import jacobian
 from kinegrade.solutions.kinematics import forward
@@ -35,7 +35,9 @@ def test_formulas_and_transforms_tell_the_same_pose_and_jacobian(seed):
     got = references(EXERCISE, v)
     T, J, values = got["planar_2r_T"][-1], got["planar_2r_J"], own_numbers(v, v["q"])
     x, y, theta = got["planar_2r_pose"].at(values)
-    np.testing.assert_allclose([x, y, np.cos(theta), np.sin(theta)], [*T[:2, 3], *T[:2, 0]], atol=1e-12)
+    np.testing.assert_allclose(
+        [x, y, np.cos(theta), np.sin(theta)], [*T[:2, 3], *T[:2, 0]], atol=1e-12
+    )
     np.testing.assert_allclose(got["planar_2r_J_symbolic"].at(values), J[[0, 1, 5]], atol=1e-12)
 
 
@@ -46,7 +48,9 @@ def test_the_jacobian_agrees_with_differences_of_the_pose(seed):
     pose, h = got["planar_2r_pose"], 1e-6
     steps = [np.array(v["q"]) + h * np.array(step) for step in ((1, 0), (-1, 0), (0, 1), (0, -1))]
     a, b, c, d = (pose.at(own_numbers(v, q)) for q in steps)
-    np.testing.assert_allclose(got["planar_2r_J"][[0, 1, 5]], np.array([a - b, c - d]).T / (2 * h), atol=1e-8)
+    np.testing.assert_allclose(
+        got["planar_2r_J"][[0, 1, 5]], np.array([a - b, c - d]).T / (2 * h), atol=1e-8
+    )
 
 
 @pytest.mark.parametrize("seed", SEEDS)
@@ -55,7 +59,9 @@ def test_the_drawn_arm_is_the_arm_of_the_question(seed):
     got = references(EXERCISE, v)
     chain = EXERCISE.drawings(v)[1].chain
     np.testing.assert_allclose(jacobian(chain, v["q"]), got["planar_2r_J"], atol=1e-12)
-    np.testing.assert_allclose(forward(chain, v["q"])[:3, 3], got["planar_2r_T"][-1, :3, 3], atol=1e-12)
+    np.testing.assert_allclose(
+        forward(chain, v["q"])[:3, 3], got["planar_2r_T"][-1, :3, 3], atol=1e-12
+    )
 
 
 @pytest.mark.parametrize("seed", SEEDS)
@@ -69,12 +75,14 @@ def test_the_arm_is_bent(seed):
 @pytest.mark.parametrize("seed", SEEDS)
 def test_what_the_source_prints_earns_nothing(seed):
     verdicts = verdicts_of(
-        variant_of("planar_2r", seed), {"planar_2r_pose": PRINTED, "planar_2r_J_symbolic": [["0", "0"]] * 3}
+        variant_of("planar_2r", seed),
+        {"planar_2r_pose": PRINTED, "planar_2r_J_symbolic": [["0", "0"]] * 3},
     )
     assert verdicts["planar_2r_pose"].points == 0
     assert any("positive senses" in finding.text for finding in verdicts["planar_2r_pose"].findings)
     together = verdicts_of(
-        variant_of("planar_2r", seed), {"planar_2r_pose": PRINTED, "planar_2r_J_symbolic": PRINTED_J}
+        variant_of("planar_2r", seed),
+        {"planar_2r_pose": PRINTED, "planar_2r_J_symbolic": PRINTED_J},
     )
     assert together["planar_2r_J_symbolic"].points == 0
     alone = verdicts_of(variant_of("planar_2r", seed), {"planar_2r_J_symbolic": PRINTED_J})
@@ -84,7 +92,9 @@ def test_what_the_source_prints_earns_nothing(seed):
 def test_a_product_in_the_wrong_order_is_not_paid_for_its_rotation():
     v = variant_of("planar_2r", 0)
     T1, T2 = references(EXERCISE, v)["planar_2r_T"]
-    verdict = verdicts_of(v, {"planar_2r_T": np.array([T1, np.linalg.inv(T1) @ T2 @ T1])})["planar_2r_T"]
+    verdict = verdicts_of(v, {"planar_2r_T": np.array([T1, np.linalg.inv(T1) @ T2 @ T1])})[
+        "planar_2r_T"
+    ]
     assert verdict.points == verdict.out_of / 2
     assert "wrong order" in verdict.findings[0].text
 
@@ -95,7 +105,9 @@ def test_derivatives_of_a_wrong_pose_are_followed_through():
     wrong = {"planar_2r_pose": part.mistakes[0].solve(v, {})}
     given = {"planar_2r_pose": formulas(wrong["planar_2r_pose"])}
     J = EXERCISE.asked[1].solve(v, given)
-    verdicts = verdicts_of(v, wrong | {"planar_2r_J_symbolic": [[str(x) for x in row] for row in J.tolist()]})
+    verdicts = verdicts_of(
+        v, wrong | {"planar_2r_J_symbolic": [[str(x) for x in row] for row in J.tolist()]}
+    )
     assert verdicts["planar_2r_pose"].status != "correct"
     assert verdicts["planar_2r_J_symbolic"].points == EXERCISE.asked[1].points
 
@@ -108,7 +120,10 @@ def test_nothing_follows_from_a_pose_that_is_made_easy():
     v = variant_of("planar_2r", 0)
     theta = str(references(EXERCISE, v)["planar_2r_pose"].entries[2])
     J = references(EXERCISE, v)["planar_2r_J_symbolic"].text()[2]
-    easy = {"planar_2r_pose": ["0", "0", theta], "planar_2r_J_symbolic": [["0", "0"], ["0", "0"], J]}
+    easy = {
+        "planar_2r_pose": ["0", "0", theta],
+        "planar_2r_J_symbolic": [["0", "0"], ["0", "0"], J],
+    }
     verdicts = verdicts_of(v, easy)
     assert verdicts["planar_2r_pose"].status == "partly"
     assert verdicts["planar_2r_J_symbolic"].points == 0
@@ -132,8 +147,13 @@ def test_wrong_signs_in_the_derivatives_are_named(signs, words):
     for seed in SEEDS:
         v = variant_of("planar_2r", seed)
         J = references(EXERCISE, v)["planar_2r_J_symbolic"].text()
-        wrong = [[f"{s}*({entry})" for s, entry in zip(*rows, strict=True)] for rows in zip(signs(J), J, strict=True)]
-        (finding,) = verdicts_of(v, {"planar_2r_J_symbolic": wrong})["planar_2r_J_symbolic"].findings
+        wrong = [
+            [f"{s}*({entry})" for s, entry in zip(*rows, strict=True)]
+            for rows in zip(signs(J), J, strict=True)
+        ]
+        (finding,) = verdicts_of(v, {"planar_2r_J_symbolic": wrong})[
+            "planar_2r_J_symbolic"
+        ].findings
         assert words in finding.text or finding.text == "Every sign is reversed."
 
 
@@ -170,7 +190,10 @@ def misread(v, senses, offset):
 def form_of(v):
     """Senses and offset [deg], read off the printed text."""
     said = EXERCISE.statement(v)
-    senses = [1 if f"Positive $q_{i}$ turns link {i} **counter-clockwise**" in said else -1 for i in (1, 2)]
+    senses = [
+        1 if f"Positive $q_{i}$ turns link {i} **counter-clockwise**" in said else -1
+        for i in (1, 2)
+    ]
     offset = 0 if "points the way link 1 points" in said else -90 if "90° clockwise" in said else 90
     return senses, offset
 
@@ -214,14 +237,18 @@ def test_a_missing_right_angle_between_the_links_is_named_in_every_part(part):
 def test_both_jacobians_of_a_misread_arm_follow_from_its_pose_and_transforms(read, seed):
     v = variant_of("planar_2r", seed)
     wrong = misread(v, *read(*form_of(v)))
-    pose, symbolic, T, J = mark(EXERCISE, v, raws(wrong | {name: np.round(wrong[name], 4) for name in list(wrong)[2:]}))
+    pose, symbolic, T, J = mark(
+        EXERCISE, v, raws(wrong | {name: np.round(wrong[name], 4) for name in list(wrong)[2:]})
+    )
     assert "correct" not in (pose.status, T.status)
     assert (symbolic.points, J.points) == (symbolic.out_of, J.out_of)
     assert all("follows from your own" in verdict.findings[-1].text for verdict in (symbolic, J))
 
 
 def test_the_jacobian_of_a_misread_arm_does_not_follow_from_the_right_transforms():
-    v = next(v for v in (variant_of("planar_2r", seed) for seed in SEEDS) if form_of(v)[0] == [-1, -1])
+    v = next(
+        v for v in (variant_of("planar_2r", seed) for seed in SEEDS) if form_of(v)[0] == [-1, -1]
+    )
     J = misread(v, (1, 1), form_of(v)[1])["planar_2r_J"]
     assert verdicts_of(v, {"planar_2r_J": J})["planar_2r_J"].points == 0
 
@@ -230,8 +257,16 @@ def test_the_jacobian_of_a_misread_arm_does_not_follow_from_the_right_transforms
 def test_theta_may_differ_by_full_turns(more, status):
     v = variant_of("planar_2r", 0)
     x, y, theta = references(EXERCISE, v)["planar_2r_pose"].text()
-    assert verdicts_of(v, {"planar_2r_pose": [x, y, f"{theta} + {more}*pi"]})["planar_2r_pose"].status == status
-    assert verdicts_of(v, {"planar_2r_pose": ["0", y, f"{theta} + {more}*pi"]})["planar_2r_pose"].status == "partly"
+    assert (
+        verdicts_of(v, {"planar_2r_pose": [x, y, f"{theta} + {more}*pi"]})["planar_2r_pose"].status
+        == status
+    )
+    assert (
+        verdicts_of(v, {"planar_2r_pose": ["0", y, f"{theta} + {more}*pi"]})[
+            "planar_2r_pose"
+        ].status
+        == "partly"
+    )
 
 
 @pytest.mark.parametrize(("columns", "share"), [((0,), 0.8), ((1,), 0.8), ((0, 1), 0.6)])

@@ -7,8 +7,8 @@ import pytest
 from answers import EXERCISES, right_raws, variant_of
 from kinegrade.exercises.catalogue.prismatic_columns import UNIT_OPTIONS
 from kinegrade.exercises.exercise import references
-from kinegrade.grader.mark import mark
-from kinegrade.grader.wire import Raw
+from kinegrade.grader.collecting.wire import Raw
+from kinegrade.grader.marking.mark import mark
 
 COLUMNS = EXERCISES["prismatic_columns"]
 QUARTER = np.pi / 2
@@ -44,12 +44,18 @@ def test_columns_are_those_of_finite_differences(seed):
     answers, J, R = references(COLUMNS, v), by_differences(v), pose(v, v["q"])[:3, :3]
     np.testing.assert_allclose(answers["prismatic_columns_J"], J, atol=1e-8)
     np.testing.assert_allclose(answers["prismatic_columns_base"], J[:, 2], atol=1e-8)
-    np.testing.assert_allclose(answers["prismatic_columns_last"], [*R.T @ J[:3, 2], 0, 0, 0], atol=1e-8)
+    np.testing.assert_allclose(
+        answers["prismatic_columns_last"], [*R.T @ J[:3, 2], 0, 0, 0], atol=1e-8
+    )
 
 
 # The new numbers of twist and rates of the same motion, in the order of the changes that are drawn.
 TWISTS = (np.diag([1000.0] * 3 + [1.0] * 3), np.eye(6), np.eye(6))
-RATES = ([1, 1, 1000, 1, 1, 1], [1, 1, 1000, 1, 1, 1], [DEGREES, DEGREES, 1, DEGREES, DEGREES, DEGREES])
+RATES = (
+    [1, 1, 1000, 1, 1, 1],
+    [1, 1, 1000, 1, 1, 1],
+    [DEGREES, DEGREES, 1, DEGREES, DEGREES, DEGREES],
+)
 LINEAR = np.array([[1.0]] * 3 + [[0.0]] * 3)
 REVOLUTE = np.array([1, 1, 0, 1, 1, 1])
 FACTORS = {  # of the entries of J, by option
@@ -68,13 +74,19 @@ def test_one_option_alone_gives_the_same_motion_in_the_new_units(change):
     answers = references(COLUMNS, v)
     J = answers["prismatic_columns_J"]
     wanted = TWISTS[change] @ J @ np.linalg.inv(np.diag(RATES[change]))
-    right = [letter for letter, factor in FACTORS.items() if np.allclose(factor * J, wanted, rtol=1e-9, atol=1e-12)]
+    right = [
+        letter
+        for letter, factor in FACTORS.items()
+        if np.allclose(factor * J, wanted, rtol=1e-9, atol=1e-12)
+    ]
     assert right == [answers["prismatic_columns_units"]]
     assert len(UNIT_OPTIONS) == len(FACTORS)
 
 
 def test_all_changes_of_units_are_drawn_and_stand_on_the_sheet():
-    drawn = [json.loads(json.dumps(COLUMNS.draw(np.random.default_rng(seed)))) for seed in range(12)]
+    drawn = [
+        json.loads(json.dumps(COLUMNS.draw(np.random.default_rng(seed)))) for seed in range(12)
+    ]
     assert {v["change"] for v in drawn} == {0, 1, 2}
     assert len({COLUMNS.statement(v).splitlines()[-1] for v in drawn}) == 3
 
@@ -85,7 +97,8 @@ def test_the_right_reason_stands_where_its_letter_says_and_moves_between_student
     assert set(letters) == set("abcd")
     for v, letter in zip(drawn, letters, strict=True):
         assert (
-            f"**reason {'abcd'.index(letter) + 1}**: A slide moves all points of the hand alike" in COLUMNS.statement(v)
+            f"**reason {'abcd'.index(letter) + 1}**: A slide moves all points of the hand alike"
+            in COLUMNS.statement(v)
         )
 
 
@@ -96,7 +109,9 @@ def test_a_turning_slide_in_an_otherwise_right_j_costs_two_fifths(seed):
     part = next(part for part in COLUMNS.parts if part.variable == "prismatic_columns_J")
     right = right_raws(COLUMNS, v)
     for mistake in (part.mistakes[0], part.mistakes[1], part.mistakes[-1]):
-        verdict = mark(COLUMNS, v, right | {part.variable: Raw("num", mistake.solve(v, answers))})[2]
+        verdict = mark(COLUMNS, v, right | {part.variable: Raw("num", mistake.solve(v, answers))})[
+            2
+        ]
         assert verdict.points == pytest.approx(2.4)
         assert [finding.text for finding in verdict.findings] == [mistake.sentence]
     other = answers[part.variable].copy()
@@ -118,10 +133,17 @@ def test_a_column_times_the_stroke_is_named(name):
 
 def test_the_column_of_the_slide_holds_no_lengths_while_others_do():
     v = variant_of("prismatic_columns", 1)
-    longer = {**v, "d2": v["d2"] + 0.3, "d6": v["d6"] + 0.2, "q": [x + 0.4 * (i == 2) for i, x in enumerate(v["q"])]}
+    longer = {
+        **v,
+        "d2": v["d2"] + 0.3,
+        "d6": v["d6"] + 0.2,
+        "q": [x + 0.4 * (i == 2) for i, x in enumerate(v["q"])],
+    }
     before, after = (references(COLUMNS, x) for x in (v, longer))
     for name in ("last", "base"):
-        np.testing.assert_allclose(after[f"prismatic_columns_{name}"], before[f"prismatic_columns_{name}"], atol=1e-12)
+        np.testing.assert_allclose(
+            after[f"prismatic_columns_{name}"], before[f"prismatic_columns_{name}"], atol=1e-12
+        )
     moved = np.abs(after["prismatic_columns_J"] - before["prismatic_columns_J"])[:3].max(axis=0)
     assert (moved[:2] > 0.01).all()
     assert moved[2] < 1e-12
@@ -136,7 +158,9 @@ def test_a_slide_that_turns_the_hand_is_named_and_the_whole_of_j_follows():
     J = whole.solve(v, {**answers, part.variable: wrong})
     np.testing.assert_allclose(J[:, 2], wrong)
     verdicts = mark(
-        COLUMNS, v, right_raws(COLUMNS, v) | {part.variable: Raw("num", wrong), whole.variable: Raw("num", J)}
+        COLUMNS,
+        v,
+        right_raws(COLUMNS, v) | {part.variable: Raw("num", wrong), whole.variable: Raw("num", J)},
     )
     base, after = verdicts[1:3]
     assert base.points == 0

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from answers import EXERCISES, right_raws, variant_of
 from kinegrade.exercises.exercise import references
-from kinegrade.grader.mark import mark
-from kinegrade.grader.wire import Raw
+from kinegrade.grader.collecting.wire import Raw
+from kinegrade.grader.marking.mark import mark
 from kinegrade.solutions.jacobian import jacobian
 from kinegrade.solutions.robots import ROBOTS
 
@@ -17,7 +17,9 @@ SEEDS = range(20)
 
 def verdicts(v, **own):
     handed = {
-        f"pseudoinverse_{name}": Raw("text" if isinstance(x, str) else "num", x if isinstance(x, str) else np.array(x))
+        f"pseudoinverse_{name}": Raw(
+            "text" if isinstance(x, str) else "num", x if isinstance(x, str) else np.array(x)
+        )
         for name, x in own.items()
     }
     found = mark(EXERCISE, v, right_raws(EXERCISE, v) | handed)
@@ -59,7 +61,10 @@ def test_the_printed_jacobian_is_that_of_the_drawn_posture_within_the_limits(see
 
 
 def test_every_letter_is_right_for_somebody():
-    letters = {references(EXERCISE, variant_of("pseudoinverse", seed))["pseudoinverse_sides"] for seed in SEEDS}
+    letters = {
+        references(EXERCISE, variant_of("pseudoinverse", seed))["pseudoinverse_sides"]
+        for seed in SEEDS
+    }
     assert letters == {"a", "b", "c", "d"}
 
 
@@ -112,7 +117,9 @@ def test_a_motion_that_moves_the_hand_is_wrong_and_what_j_keeps_is_named():
 def test_the_shortest_rates_do_not_pass_for_those_with_joint_k_still():
     for seed in SEEDS:
         v = variant_of("pseudoinverse", seed)
-        assert verdicts(v, still=references(EXERCISE, v)["pseudoinverse_least"])["still"].points == 0
+        assert (
+            verdicts(v, still=references(EXERCISE, v)["pseudoinverse_least"])["still"].points == 0
+        )
 
 
 def test_later_parts_follow_from_an_own_wrong_matrix():

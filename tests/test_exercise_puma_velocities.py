@@ -9,8 +9,8 @@ from kinegrade.exercises.arm import arm_of
 from kinegrade.exercises.arms.puma import FAMILIES, elbow_height
 from kinegrade.exercises.catalogue.puma_velocities import ALONE, FREE, HELD, WORDINGS
 from kinegrade.exercises.exercise import references
-from kinegrade.grader.mark import mark
-from kinegrade.grader.wire import Raw
+from kinegrade.grader.collecting.wire import Raw
+from kinegrade.grader.marking.mark import mark
 from kinegrade.solutions.robots import ROBOTS
 from kinegrade.solutions.velocity import joint_rates
 
@@ -38,7 +38,9 @@ def arm_at(q):
 
 
 def verdict(v, rates, J=None):
-    given = right_raws(EXERCISE, v) | {"puma_velocities_qdot": Raw("num", np.array(rates, dtype=float))}
+    given = right_raws(EXERCISE, v) | {
+        "puma_velocities_qdot": Raw("num", np.array(rates, dtype=float))
+    }
     if J is not None:
         given |= {
             "puma_velocities_J": Raw("num", J),
@@ -89,13 +91,21 @@ def test_the_sheet_alone_is_enough(seed):
     v = variant_of("puma_velocities", seed)
     said = EXERCISE.statement(v)
     rows = re.findall(r"\| \$\d\$ \| \$q_\d\$ \| \$(.*?)\$ \| \$(.*?)\$ \| \$(.*?)\$ \|", said)
-    table = [(float(d), float(a), {r"\pi/2": np.pi / 2, r"-\pi/2": -np.pi / 2, "0": 0.0}[turn]) for d, a, turn in rows]
+    table = [
+        (float(d), float(a), {r"\pi/2": np.pi / 2, r"-\pi/2": -np.pi / 2, "0": 0.0}[turn])
+        for d, a, turn in rows
+    ]
 
     def pose(q):
         T = np.eye(4)
         for (d, a, alpha), x in zip(table, q, strict=True):
             c, s, ca, sa = np.cos(x), np.sin(x), np.cos(alpha), np.sin(alpha)
-            T = T @ [[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d], [0, 0, 0, 1]]
+            T = T @ [
+                [c, -s * ca, s * sa, a * c],
+                [s, c * ca, -c * sa, a * s],
+                [0, sa, ca, d],
+                [0, 0, 0, 1],
+            ]
         return T
 
     J = by_differences(pose, np.array(v["q"]))
@@ -121,7 +131,11 @@ def by_differences(pose, q, h=1e-5):
 def test_another_wording_than_the_asked_one_is_named(asked, answered):
     v = of_s3(asked)
     found = verdict(v, references(EXERCISE, of_s3(answered))["puma_velocities_qdot"])
-    words = {HELD: "the whole twist", FREE: "the linear velocity only", ALONE: "the x component only"}[answered]
+    words = {
+        HELD: "the whole twist",
+        FREE: "the linear velocity only",
+        ALONE: "the x component only",
+    }[answered]
     if asked == answered:
         assert (found.status, found.reading) == ("correct", "")
     else:
@@ -134,7 +148,9 @@ def test_another_wording_than_the_asked_one_is_named(asked, answered):
 @pytest.mark.parametrize("words", IN_TOOL_AXES)
 def test_tool_axes_are_named_in_every_wording(wording, words):
     count, known = IN_TOOL_AXES[words]
-    rates = joint_rates(ROBOTS["puma560"].chain(), S3["q"], np.eye(6)[0, :count] * 2, slice(count), "tool")
+    rates = joint_rates(
+        ROBOTS["puma560"].chain(), S3["q"], np.eye(6)[0, :count] * 2, slice(count), "tool"
+    )
     np.testing.assert_allclose(rates, known, atol=0.06)
     assert words in verdict(of_s3(wording), rates).reading
 
@@ -175,7 +191,9 @@ def test_what_is_drawn_is_printed_or_a_choice_of_form_that_can_be_pinned():
 
 
 def test_one_row_of_the_jacobian_is_no_matrix_and_a_speed_no_vector():
-    v = next(v for v in (variant_of("puma_velocities", seed) for seed in SEEDS) if v["wording"] == ALONE)
+    v = next(
+        v for v in (variant_of("puma_velocities", seed) for seed in SEEDS) if v["wording"] == ALONE
+    )
     way = next(iter(EXERCISE.parts[-1].explain(v, references(EXERCISE, v)))).text
     assert r"\mathbf J_x^{+} v_{x,c}" in way
     assert r"\mathbf J_v" not in way

@@ -3,10 +3,8 @@
 import numpy as np
 import pytest
 from answers import EXERCISES, part_of, right_raws, variant_of
-from kinegrade.course.notebook import worked_steps
-from kinegrade.exercises.catalogue.rrt import FORMS, LENGTHS, robot
-from kinegrade.exercises.exercise import references
-from kinegrade.exercises.own_formulas import (
+from kinegrade.course.sheet.notebook import worked_steps
+from kinegrade.exercises.calculations.own_formulas import (
     EasierError,
     closed_determinant,
     closed_factors,
@@ -14,9 +12,11 @@ from kinegrade.exercises.own_formulas import (
     factors_of,
     jacobian_of_table,
 )
-from kinegrade.grader.mark import mark
-from kinegrade.grader.read import read
-from kinegrade.grader.wire import Raw
+from kinegrade.exercises.catalogue.rrt import FORMS, LENGTHS, robot
+from kinegrade.exercises.exercise import references
+from kinegrade.grader.collecting.wire import Raw
+from kinegrade.grader.kinds.markers import read
+from kinegrade.grader.marking.mark import mark
 from kinegrade.solutions.expression_array import expression_array
 from kinegrade.solutions.jacobian import jacobian
 from kinegrade.solutions.table import read_table
@@ -33,7 +33,10 @@ def variant(*offsets, alpha1="-pi/2"):
 
 
 def verdicts(v, **answers):
-    raws = {**right_raws(RRT, v), **{f"rrt_{name}": Raw("text", value) for name, value in answers.items()}}
+    raws = {
+        **right_raws(RRT, v),
+        **{f"rrt_{name}": Raw("text", value) for name, value in answers.items()},
+    }
     return {verdict.part.removeprefix("rrt_"): verdict for verdict in mark(RRT, v, raws)}
 
 
@@ -46,8 +49,12 @@ def test_formulas_come_to_the_numbers_of_the_chain_at_any_posture(form):
         J = jacobian(arm.chain(sizes), q)
         formulas = jacobian_of_table(arm.table, arm)
         np.testing.assert_allclose(formulas.at(values), J, atol=1e-12)
-        np.testing.assert_allclose(determinant_of(formulas, arm).at(values), np.linalg.det(J[:3]), atol=1e-12)
-        np.testing.assert_allclose(closed_determinant(arm).at(values), np.linalg.det(J[:3]), atol=1e-12)
+        np.testing.assert_allclose(
+            determinant_of(formulas, arm).at(values), np.linalg.det(J[:3]), atol=1e-12
+        )
+        np.testing.assert_allclose(
+            closed_determinant(arm).at(values), np.linalg.det(J[:3]), atol=1e-12
+        )
 
 
 @pytest.mark.parametrize("form", range(len(FORMS)))
@@ -119,7 +126,9 @@ def test_formulas_follow_from_a_wrong_table():
     table = read(RRT.parts[0].answer, Raw("text", cells), v)
     J = jacobian_of_table(table, robot(v["form"]))
     values = {**{name: v[name] for name in ("d1", "a1")}, "q1": 0.3, "q2": 1.1, "q3": -0.4}
-    np.testing.assert_allclose(J.at(values), jacobian(table.chain(values), [0.3, 1.1, -0.4]), atol=1e-12)
+    np.testing.assert_allclose(
+        J.at(values), jacobian(table.chain(values), [0.3, 1.1, -0.4]), atol=1e-12
+    )
     own = [  # of that table, by hand
         ["-sin(q1)*(a1 - q3*sin(q2))", "-q3*cos(q1)*cos(q2)", "-cos(q1)*sin(q2)"],
         ["cos(q1)*(a1 - q3*sin(q2))", "-q3*sin(q1)*cos(q2)", "-sin(q1)*sin(q2)"],
@@ -128,7 +137,13 @@ def test_formulas_follow_from_a_wrong_table():
         ["0", "cos(q1)", "0"],
         ["1", "0", "0"],
     ]
-    found = verdicts(v, dh=cells, J_symbolic=own, det="-q3*(a1 - q3*sin(q2))", singular=["q3 = 0", "a1 = q3*sin(q2)"])
+    found = verdicts(
+        v,
+        dh=cells,
+        J_symbolic=own,
+        det="-q3*(a1 - q3*sin(q2))",
+        singular=["q3 = 0", "a1 = q3*sin(q2)"],
+    )
     assert found["dh"].status == "partly"
     for part in ("J_symbolic", "det", "singular"):
         assert found[part].points == found[part].out_of / 2, part
@@ -141,14 +156,19 @@ def test_nothing_follows_from_a_table_that_leaves_nothing_to_find_out():
     with pytest.raises(EasierError, match="0 different numbers"):
         jacobian_of_table(flat, arm)
     with pytest.raises(EasierError):
-        determinant_of(expression_array([["1", "0", "0"], ["0", "1", "0"], ["0", "0", "1"]] * 2, NAMES), arm)
+        determinant_of(
+            expression_array([["1", "0", "0"], ["0", "1", "0"], ["0", "0", "1"]] * 2, NAMES), arm
+        )
 
 
 def test_what_follows_from_the_right_answers_is_printed_as_a_product():
     arm = robot(FORMS.index(("-pi/2", ("a1", "l3"))))
     product = determinant_of(jacobian_of_table(arm.table, arm), arm)
     assert product is closed_determinant(arm)
-    assert [str(factor) for factor in factors_of(product, arm)] == ["l3 + q3", "a1 + (l3 + q3)*sin(q2)"]
+    assert [str(factor) for factor in factors_of(product, arm)] == [
+        "l3 + q3",
+        "a1 + (l3 + q3)*sin(q2)",
+    ]
     other = expression_array("q3*a1", arm.names)
     assert factors_of(other, arm) == other.entries
 
@@ -173,4 +193,6 @@ def test_the_home_pose_is_told_apart_from_a_q2_taken_from_the_horizontal():
         part = next(part for part in RRT.parts if part.variable == f"rrt_{name}")
         value = part.mistakes[0].solve(v, references(RRT, v))
         text = str(value) if name == "det" else [f"{x} = 0" for x in value]
-        assert any("home pose" in finding.text for finding in verdicts(v, **{name: text})[name].findings)
+        assert any(
+            "home pose" in finding.text for finding in verdicts(v, **{name: text})[name].findings
+        )

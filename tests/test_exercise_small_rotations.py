@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from answers import EXERCISES, raws, variant_of
 from kinegrade.exercises.exercise import references
-from kinegrade.grader.mark import mark
+from kinegrade.grader.marking.mark import mark
 from kinegrade.solutions.rotation import vector_rotation
 
 EXERCISE = EXERCISES["small_rotations"]
@@ -16,7 +16,10 @@ def table(v):
     """Cells as they are printed."""
     lines = EXERCISE.statement(v).splitlines()
     rows = [line for line in lines if line.startswith("| $") and r"\theta" not in line]
-    return [[cell.strip(" $").replace("\\", "").replace("_", "") for cell in row.split("|")[2:-1]] for row in rows]
+    return [
+        [cell.strip(" $").replace("\\", "").replace("_", "") for cell in row.split("|")[2:-1]]
+        for row in rows
+    ]
 
 
 def rotations(v, q):
@@ -31,7 +34,10 @@ def rotations(v, q):
 
 
 def verdict_of(v, name, value):
-    verdicts = {verdict.part: verdict for verdict in mark(EXERCISE, v, raws(references(EXERCISE, v) | {name: value}))}
+    verdicts = {
+        verdict.part: verdict
+        for verdict in mark(EXERCISE, v, raws(references(EXERCISE, v) | {name: value}))
+    }
     return verdicts[name]
 
 

@@ -5,7 +5,7 @@ import pytest
 from answers import EXERCISES, raws, variant_of
 from kinegrade.exercises.catalogue.three_axis import draw
 from kinegrade.exercises.exercise import references
-from kinegrade.grader.mark import mark
+from kinegrade.grader.marking.mark import mark
 
 EXERCISE = EXERCISES["three_axis"]
 SEEDS = range(8)
@@ -20,14 +20,18 @@ def tool_point(v, q):
 
 
 def verdicts_of(v, own):
-    return {verdict.part: verdict for verdict in mark(EXERCISE, v, raws(references(EXERCISE, v) | own))}
+    return {
+        verdict.part: verdict for verdict in mark(EXERCISE, v, raws(references(EXERCISE, v) | own))
+    }
 
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_displacement_rotation_and_error_are_those_of_the_sheet(seed):
     v = variant_of("three_axis", seed)
     got, q, h = references(EXERCISE, v), np.array(v["q"]), 1e-6
-    A = np.array([(tool_point(v, q + h * e) - tool_point(v, q - h * e)) / (2 * h) for e in np.eye(3)]).T
+    A = np.array(
+        [(tool_point(v, q + h * e) - tool_point(v, q - h * e)) / (2 * h) for e in np.eye(3)]
+    ).T
     dq = np.linalg.solve(A, v["dp"])
     np.testing.assert_allclose(got["three_axis_dq"], dq, atol=1e-8)
     turned = dq[1] + dq[2]
@@ -59,7 +63,10 @@ def test_an_error_from_a_rounded_dq_is_right_from_that_dq():
     q = np.array(v["q"])
     error = tool_point(v, q + dq) - tool_point(v, q) - v["dp"]
     found = verdicts_of(v, {"three_axis_dq": dq, "three_axis_error": error})
-    assert (found["three_axis_dq"].status, found["three_axis_error"].status) == ("correct", "correct")
+    assert (found["three_axis_dq"].status, found["three_axis_error"].status) == (
+        "correct",
+        "correct",
+    )
 
 
 def test_rotation_and_error_follow_from_a_displacement_with_a_named_mistake():

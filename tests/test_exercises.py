@@ -5,15 +5,15 @@ import json
 import numpy as np
 import pytest
 from answers import EXERCISES, raws, right_raws, variant_of
-from kinegrade.course.nonsense import NONSENSE
-from kinegrade.course.validate import validate_file
-from kinegrade.exercises.catalogue import exercise_files
+from kinegrade.course.proof.nonsense import NONSENSE
+from kinegrade.course.proof.validate import validate_file
 from kinegrade.exercises.draws import angles, until
 from kinegrade.exercises.exercise import ExerciseError, Numbers, references
-from kinegrade.grader.answer_key import AnswerKey
-from kinegrade.grader.mark import mark
-from kinegrade.grader.read import read
-from kinegrade.grader.wire import Raw
+from kinegrade.exercises.files.finding import exercise_files
+from kinegrade.grader.collecting.wire import Raw
+from kinegrade.grader.kinds.markers import read
+from kinegrade.grader.marking.answer_key import AnswerKey
+from kinegrade.grader.marking.mark import mark
 
 SEEDS = range(6)
 
@@ -37,21 +37,31 @@ def test_nonsense_in_one_part_of_a_right_sheet_earns_nothing_there(exercise, kin
     key = AnswerKey(exercise, v)
     right = right_raws(exercise, v)
     for part in exercise.asked:
-        spoiled = right | {part.variable: NONSENSE[kind](part.answer, key.reference[part.variable], v)}
+        spoiled = right | {
+            part.variable: NONSENSE[kind](part.answer, key.reference[part.variable], v)
+        }
         verdicts = {verdict.part: verdict.points for verdict in mark(exercise, v, spoiled, key=key)}
         assert not verdicts[part.variable]
 
 
 def test_the_answers_of_another_variant_earn_next_to_nothing(exercise):
     v, other = variant_of(exercise.slug, 1), variant_of(exercise.slug, 2)
-    numbers = [part for part in exercise.asked if isinstance(part.answer, Numbers) and part.answer.shape]
+    numbers = [
+        part for part in exercise.asked if isinstance(part.answer, Numbers) and part.answer.shape
+    ]
     theirs = references(exercise, other)
     recorded = {part.variable: theirs[part.variable].tolist() for part in numbers}
     raw = {name: Raw("num", np.array(value)) for name, value in recorded.items()}
-    verdicts = [verdict for verdict in mark(exercise, v, raw, {"other": recorded}) if verdict.part in recorded]
+    verdicts = [
+        verdict
+        for verdict in mark(exercise, v, raw, {"other": recorded})
+        if verdict.part in recorded
+    ]
     wrong = [verdict for verdict in verdicts if verdict.status != "correct"]
     assert sum(verdict.points for verdict in verdicts) <= 0.2 * exercise.points
-    assert not wrong or any("other" in f.text and f.private for verdict in wrong for f in verdict.findings)
+    assert not wrong or any(
+        "other" in f.text and f.private for verdict in wrong for f in verdict.findings
+    )
 
 
 def test_150_students_get_150_different_variants(exercise):
@@ -95,7 +105,9 @@ def test_every_exercise_says_what_it_teaches_and_hints(exercise):
 def test_no_hint_or_prompt_holds_an_answer(exercise):
     v = variant_of(exercise.slug)
     answers = references(exercise, v)
-    said = exercise.statement(v) + "".join(part.prompt + "".join(part.hints) for part in exercise.asked)
+    said = exercise.statement(v) + "".join(
+        part.prompt + "".join(part.hints) for part in exercise.asked
+    )
     for part in exercise.asked:
         if isinstance(part.answer, Numbers) and part.answer.shape:
             values = np.abs(answers[part.variable]).ravel()
@@ -122,9 +134,13 @@ def test_the_three_axis_example_of_s0_comes_out_as_printed():
     r = np.sqrt(3)
     J = [[0, -r, 0], [3, 0, 0], [0, 3, 2], [0, 0, 0], [0, -1, -1], [1, 0, 0]]
     np.testing.assert_allclose(
-        got["three_axis_p"], np.array([[0, 0, 3], [0, 0, 3], [1, 0, 3 + r], [3, 0, 3 + r]]).T, atol=1e-12
+        got["three_axis_p"],
+        np.array([[0, 0, 3], [0, 0, 3], [1, 0, 3 + r], [3, 0, 3 + r]]).T,
+        atol=1e-12,
     )
-    np.testing.assert_allclose(got["three_axis_z"], np.array([[0, 0, 1], [0, -1, 0], [0, -1, 0]]).T, atol=1e-12)
+    np.testing.assert_allclose(
+        got["three_axis_z"], np.array([[0, 0, 1], [0, -1, 0], [0, -1, 0]]).T, atol=1e-12
+    )
     np.testing.assert_allclose(got["three_axis_A"], J[:3], atol=1e-12)
     np.testing.assert_allclose(got["three_axis_B"], J[3:], atol=1e-12)
     np.testing.assert_allclose(got["three_axis_J"], J, atol=1e-12)
@@ -150,8 +166,14 @@ def test_the_puma_problem_of_s3_comes_out_as_known():
 @pytest.mark.parametrize(
     ("rates", "words"),
     [
-        ([-1.3146195, -2.6644359, -1.7822710, 0, 0, 0], "the linear velocity only, with least norm"),
-        ([11.034, 2.587, -1.651, 0, 0, 0], "the linear velocity only, along the x axis of the tool"),
+        (
+            [-1.3146195, -2.6644359, -1.7822710, 0, 0, 0],
+            "the linear velocity only, with least norm",
+        ),
+        (
+            [11.034, 2.587, -1.651, 0, 0, 0],
+            "the linear velocity only, along the x axis of the tool",
+        ),
     ],
 )
 def test_another_reading_of_s3_question_c_is_named(rates, words):
@@ -167,8 +189,15 @@ def test_a_right_sheet_of_the_rrt_arm_may_give_its_table_in_numbers():
     for seed in SEEDS:
         v = variant_of("rrt", seed)
         answers = references(exercise, v)
-        values = {**{k: x for k, x in v.items() if k != "q"}, "q1": v["q"][0], "q2": v["q"][1], "q3": v["q"][2]}
-        table = np.array([[cell.at(values) for cell in row] for row in answers["rrt_dh"].rows], dtype=float)
+        values = {
+            **{k: x for k, x in v.items() if k != "q"},
+            "q1": v["q"][0],
+            "q2": v["q"][1],
+            "q3": v["q"][2],
+        }
+        table = np.array(
+            [[cell.at(values) for cell in row] for row in answers["rrt_dh"].rows], dtype=float
+        )
         assert earned(exercise, v, answers | {"rrt_dh": table}) == exercise.points
 
 
@@ -192,7 +221,11 @@ def test_a_table_that_makes_the_rest_trivial_is_not_followed_through():
     exercise = EXERCISES["rrt"]
     v = variant_of("rrt", 0)
     given = {
-        "rrt_dh": read(exercise.parts[0].answer, raw_table([["q1", 0, 0, 0], ["q2", 0, 0, 0], [0, "q3", 0, 0]]), v)
+        "rrt_dh": read(
+            exercise.parts[0].answer,
+            raw_table([["q1", 0, 0, 0], ["q2", 0, 0, 0], [0, "q3", 0, 0]]),
+            v,
+        )
     }
     for later in exercise.parts[1:3]:
         given[later.variable] = later.solve(v, given)

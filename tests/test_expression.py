@@ -14,8 +14,17 @@ from kinegrade.solutions.errors import KinegradeError
 from kinegrade.solutions.expression import Expression, ExpressionError, latex_name, parse
 
 NAMES = ("q1", "q2", "a1", "l2", "theta1", "alpha1")
-VALUES: dict[str, float] = {"q1": 1.3, "q2": -0.4, "a1": 0.7, "l2": 0.9, "theta1": 0.2, "alpha1": 0.5}
-BAD: list[dict[str, str]] = json.loads((Path(__file__).parent / "data" / "bad_inputs.json").read_text(encoding="utf-8"))
+VALUES: dict[str, float] = {
+    "q1": 1.3,
+    "q2": -0.4,
+    "a1": 0.7,
+    "l2": 0.9,
+    "theta1": 0.2,
+    "alpha1": 0.5,
+}
+BAD: list[dict[str, str]] = json.loads(
+    (Path(__file__).parent / "data" / "bad_inputs.json").read_text(encoding="utf-8")
+)
 READABLE = {"1e-3": 0.001}
 
 
@@ -165,7 +174,11 @@ def test_refusals_are_the_projects_errors_and_travel_between_processes():
         parse("2q1", NAMES)
     twin = pickle.loads(pickle.dumps(caught.value))  # noqa: S301  our own bytes
     assert isinstance(twin, ExpressionError)
-    assert (twin.message, twin.offset, twin.caret) == ("a sign such as * is missing before 'q1'", 1, "2q1\n ^")
+    assert (twin.message, twin.offset, twin.caret) == (
+        "a sign such as * is missing before 'q1'",
+        1,
+        "2q1\n ^",
+    )
 
 
 def test_names_are_those_that_occur():
@@ -197,11 +210,17 @@ def formulas() -> st.SearchStrategy[str]:
 
     def grown(inner: st.SearchStrategy[str]) -> st.SearchStrategy[str]:
         return (
-            st.tuples(inner, st.sampled_from("+-*/"), inner).map(lambda x: f"({x[0]}) {x[1]} ({x[2]})")
+            st.tuples(inner, st.sampled_from("+-*/"), inner).map(
+                lambda x: f"({x[0]}) {x[1]} ({x[2]})"
+            )
             | st.tuples(inner, st.sampled_from("+-*/"), leaves).map(" ".join)
-            | st.tuples(st.sampled_from(["-", "sin", "cos", "abs"]), inner).map(lambda x: f"{x[0]}({x[1]})")
+            | st.tuples(st.sampled_from(["-", "sin", "cos", "abs"]), inner).map(
+                lambda x: f"{x[0]}({x[1]})"
+            )
             | st.tuples(inner, leaves).map(lambda x: f"atan2({x[0]}, {x[1]})")
-            | st.tuples(inner, st.sampled_from(["2", "-1", "-(1/2)"])).map(lambda x: f"({x[0]})^{x[1]}")
+            | st.tuples(inner, st.sampled_from(["2", "-1", "-(1/2)"])).map(
+                lambda x: f"({x[0]})^{x[1]}"
+            )
         )
 
     return st.recursive(leaves, grown, max_leaves=8)
@@ -222,7 +241,9 @@ def test_a_printed_formula_reads_back_to_the_same_value(text: str):
         np.testing.assert_equal(parse(str(formula), NAMES).at(VALUES), formula.at(VALUES))
 
 
-@given(st.text(alphabet="q12a+-*/^().,eE sincopt²πθ₁[]'\"\\\n!", max_size=60) | st.text(max_size=40))
+@given(
+    st.text(alphabet="q12a+-*/^().,eE sincopt²πθ₁[]'\"\\\n!", max_size=60) | st.text(max_size=40)
+)
 @settings(max_examples=300, deadline=None)
 def test_any_text_is_read_or_refused_at_a_place_within_it(text: str):
     place, caret = 0, "^"
@@ -301,8 +322,12 @@ def test_sympy_gets_exact_numbers_and_real_symbols():
     import sympy as sp
 
     q1, a1 = sp.Symbol("q1", real=True), sp.Symbol("a1", real=True)
-    expected = sp.Rational(1, 10) * a1 * sp.sin(q1 + sp.pi / 2) - sp.sqrt(2) / sp.Rational(1, 1000) ** 2
-    assert sp.simplify(parse("0.1*a1*sin(q1 + pi/2) - sqrt(2)/1e-3^2", NAMES).sympy() - expected) == 0
+    expected = (
+        sp.Rational(1, 10) * a1 * sp.sin(q1 + sp.pi / 2) - sp.sqrt(2) / sp.Rational(1, 1000) ** 2
+    )
+    assert (
+        sp.simplify(parse("0.1*a1*sin(q1 + pi/2) - sqrt(2)/1e-3^2", NAMES).sympy() - expected) == 0
+    )
     assert parse("atan2(q1, a1)", NAMES).sympy() == sp.atan2(q1, a1)
     assert parse("abs(a1*sin(q1))", NAMES).sympy() == sp.Abs(a1 * sp.sin(q1))
     assert parse("-q1 + asin(a1)*acos(a1)", NAMES).sympy() == -q1 + sp.asin(a1) * sp.acos(a1)

@@ -17,12 +17,20 @@ NAMES = ("l1", "q1", "q2")
 
 @pytest.mark.parametrize(
     ("nested", "shape"),
-    [("l1*cos(q1)", ()), (["l1", 0, "2*q1"], (3,)), ([["l1", "q1"], ["0", 1.5]], (2, 2)), ([["q1"]], (1, 1))],
+    [
+        ("l1*cos(q1)", ()),
+        (["l1", 0, "2*q1"], (3,)),
+        ([["l1", "q1"], ["0", 1.5]], (2, 2)),
+        ([["q1"]], (1, 1)),
+    ],
 )
 def test_shape_values_and_text_of_an_array(nested, shape):
     array = expression_array(nested, NAMES)
     assert array.shape == shape
-    assert array.at({"l1": 2, "q1": [0.1, 0.2, 0.3], "q2": 1}).shape[-len(shape) :] == shape or not shape
+    assert (
+        array.at({"l1": 2, "q1": [0.1, 0.2, 0.3], "q2": 1}).shape[-len(shape) :] == shape
+        or not shape
+    )
     again = expression_array(array.text(), NAMES)
     assert again.entries == array.entries
 
@@ -57,14 +65,19 @@ def test_a_name_that_is_not_allowed_is_refused():
 def test_formulas_are_compared_by_value_entry_by_entry():
     a = expression_array(["sin(q1 + q2)", "cos(q1)^2", "l1/2", "1/tan(q1)", "sin(q1)"], NAMES)
     b = expression_array(
-        ["sin(q1)*cos(q2) + cos(q1)*sin(q2)", "1 - sin(q1)^2", "0.5*l1", "cos(q1)/sin(q1)", "q1"], NAMES
+        ["sin(q1)*cos(q2) + cos(q1)*sin(q2)", "1 - sin(q1)^2", "0.5*l1", "cos(q1)/sin(q1)", "q1"],
+        NAMES,
     )
     assert same_formulas(a, b, NAMES).tolist() == [True, True, True, True, False]
 
 
 def test_formulas_that_have_no_value_where_the_reference_has_one_differ():
-    assert not same_formulas(expression_array("sqrt(-l1)", NAMES), expression_array("l1", NAMES), NAMES)
-    assert not same_formulas(expression_array("q1*0/0.5 + asin(2 + l1)", NAMES), expression_array("0", NAMES), NAMES)
+    assert not same_formulas(
+        expression_array("sqrt(-l1)", NAMES), expression_array("l1", NAMES), NAMES
+    )
+    assert not same_formulas(
+        expression_array("q1*0/0.5 + asin(2 + l1)", NAMES), expression_array("0", NAMES), NAMES
+    )
 
 
 def test_points_are_spread_and_the_same_everywhere():
@@ -72,7 +85,9 @@ def test_points_are_spread_and_the_same_everywhere():
     assert list(values) == ["l1", "q1", "q2"]
     assert 0.4 < values["l1"].min() < values["l1"].max() < 1.6
     assert -2.6 < values["q1"].min() < -2 < 2 < values["q1"].max() < 2.6
-    assert values["q1"][:2] == pytest.approx([5.2 * (np.sqrt(3) % 1) - 2.6, 5.2 * (2 * np.sqrt(3) % 1) - 2.6])
+    assert values["q1"][:2] == pytest.approx(
+        [5.2 * (np.sqrt(3) % 1) - 2.6, 5.2 * (2 * np.sqrt(3) % 1) - 2.6]
+    )
     assert abs(np.corrcoef(values["q1"], values["q2"])[0, 1]) < 0.3
 
 
@@ -96,6 +111,9 @@ def sum_of(arrays):
     for array in arrays[1:]:
         n = len(found)
         nodes = array.entries[0].nodes
-        moved = (node if node[0] in ("n", "s") else (node[0], *(i + n for i in node[1:])) for node in nodes)
+        moved = (
+            node if node[0] in ("n", "s") else (node[0], *(i + n for i in node[1:]))
+            for node in nodes
+        )
         found = (*found, *moved, ("+", n - 1, n + len(nodes) - 1))
     return Expression(found)

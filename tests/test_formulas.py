@@ -8,7 +8,9 @@ from kinegrade.solutions.condition import AllOf, condition_sympy
 from kinegrade.solutions.expression import parse
 
 
-@pytest.mark.parametrize(("value", "text"), [(1.23456, "1.235"), (-0.0001, "0.000"), (-0.0, "0.000"), (-2, "-2.000")])
+@pytest.mark.parametrize(
+    ("value", "text"), [(1.23456, "1.235"), (-0.0001, "0.000"), (-0.0, "0.000"), (-2, "-2.000")]
+)
 def test_a_number_has_the_asked_decimals_and_no_minus_before_zero(value, text):
     assert number(value, 3) == text
 
@@ -34,7 +36,11 @@ def test_closed_forms_use_the_shorthand_of_the_course():
         ([1, 2], ["N", "N m/rad"], r"x = (1\,\mathrm{N},\; 2\,\mathrm{N\,m/rad})"),
         ([0.1, 0.2], ["rad", "rad"], r"x = (0.1,\; 0.2)\,\mathrm{rad}"),
         ([0.1, 0.2], ["rad", "m"], r"x = (0.1\,\mathrm{rad},\; 0.2\,\mathrm{m})"),
-        ([[1, 2], [3, 4]], [["m", "m"]] * 2, r"x = \begin{bmatrix} 1 & 2 \\ 3 & 4 \end{bmatrix}\,\mathrm{m}"),
+        (
+            [[1, 2], [3, 4]],
+            [["m", "m"]] * 2,
+            r"x = \begin{bmatrix} 1 & 2 \\ 3 & 4 \end{bmatrix}\,\mathrm{m}",
+        ),
         ([[1, 2]], [["m", "rad"]], r"x = \begin{bmatrix} 1 & 2 \end{bmatrix}"),
         ([[1.25, 2.0]], [["m", "rad"]], r"x = \begin{bmatrix} 1.25 & 2.00 \end{bmatrix}"),
     ],

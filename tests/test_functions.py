@@ -6,25 +6,40 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from answers import answer_code
 from courses import exercise_of, hand_in, handed_out, make_course, notebook
-from kinegrade.course.blanks import function_code, unprintable
 from kinegrade.course.check import check_file
 from kinegrade.course.config import read_course
 from kinegrade.course.gradebook import Gradebook
 from kinegrade.course.grading import SheetMarker
-from kinegrade.course.submissions import Submission
-from kinegrade.course.validate import validate_file
-from kinegrade.exercises.arguments import arrived
-from kinegrade.exercises.catalogue import load
-from kinegrade.exercises.exercise import Function, Mistake, Numbers, Outcome, Part, Results, references
-from kinegrade.grader.ask import Ask, AskError, Limits
-from kinegrade.grader.calls import Group, accepted, counting, share
-from kinegrade.grader.collect import collect
-from kinegrade.grader.handed_in import handed_in
-from kinegrade.grader.mark import mark
-from kinegrade.grader.wire import Raw
+from kinegrade.course.proof.validate import validate_file
+from kinegrade.course.sheet.submissions import Submission
+from kinegrade.exercises.exercise import (
+    Function,
+    Mistake,
+    Numbers,
+    Outcome,
+    Part,
+    Results,
+    references,
+)
+from kinegrade.exercises.files.finding import load
+from kinegrade.exercises.kinds.arguments import arrived
+from kinegrade.grader.collecting.ask import Ask, AskError, Limits
+from kinegrade.grader.collecting.collect import collect
+from kinegrade.grader.collecting.wire import Raw
+from kinegrade.grader.kinds.calls import Group, accepted, counting, share_of_groups
+from kinegrade.grader.kinds.markers import handed_in
+from kinegrade.grader.marking.mark import mark
 
-ARM = {"kinds": ["R", "P"], "a": [0.1, 0.2], "dh": [[1, 2], [3, 4]], "name": "RP", "n": 2, "tool": {"p": [0.5]}}
+ARM = {
+    "kinds": ["R", "P"],
+    "a": [0.1, 0.2],
+    "dh": [[1, 2], [3, 4]],
+    "name": "RP",
+    "n": 2,
+    "tool": {"p": [0.5]},
+}
 SHAPES = """
 def f(x):
     if isinstance(x, dict):
@@ -133,7 +148,9 @@ def test_an_argument_that_cannot_be_sent_is_named(argument, words):
 
 
 def test_a_call_without_its_tuple_is_named():
-    with pytest.raises(AskError, match=r"call 1: a call takes a tuple of its arguments, such as \(q,\), got 0.5"):
+    with pytest.raises(
+        AskError, match=r"call 1: a call takes a tuple of its arguments, such as \(q,\), got 0.5"
+    ):
         Ask("f", (0.5,))
 
 
@@ -165,12 +182,17 @@ def group(wanted, results=None, name="g"):
 def test_a_group_counts_when_all_of_it_is_right_and_no_constant_would_be(wanted, right, counts):
     groups = [group(results) for results in wanted]
     assert counting(groups, right) == counts
-    assert share(groups, right) == np.mean(counts)
+    assert share_of_groups(groups, right) == np.mean(counts)
 
 
 def test_a_check_may_judge_groups_or_calls():
     groups = [group([1, 2]), group([3])]
-    for right in ([True, False], np.array([True, False]), [[True, True], False], ([1, np.True_], [0])):
+    for right in (
+        [True, False],
+        np.array([True, False]),
+        [[True, True], False],
+        ([1, np.True_], [0]),
+    ):
         assert accepted(groups, right) == [[True, True], [False]]
     assert accepted(groups, np.True_) == [[True, True], [True]]
     with pytest.raises(ValueError, match="a flag for each of 2 groups, got 3"):
@@ -207,7 +229,9 @@ def test_a_function_of_zeros_and_ones_is_valid(singular):
         ("arm['lengths']", 0, "gave: KeyError: 'lengths'"),
     ],
 )
-def test_a_constant_earns_nothing_of_a_function_of_zeros_and_ones(singular, function, points, words):
+def test_a_constant_earns_nothing_of_a_function_of_zeros_and_ones(
+    singular, function, points, words
+):
     exercise = load(singular)
     v = json.loads(json.dumps(exercise.draw(np.random.default_rng(3))))
     (part,) = exercise.asked
@@ -237,11 +261,16 @@ def roots(_, __, value):
 
 def rooted(**more):
     more = {"check": roots} | more
-    return exercise_of(Part("t_f", "f?", 4, Function("(x)", lambda _: CALLS), lambda *_: np.sqrt, **more))
+    return exercise_of(
+        Part("t_f", "f?", 4, Function("(x)", lambda _: CALLS), lambda *_: np.sqrt, **more)
+    )
 
 
 def results(*values):
-    return Raw("calls", [x if isinstance(x, Raw) else Raw("num", np.asarray(x, dtype=float)) for x in values])
+    return Raw(
+        "calls",
+        [x if isinstance(x, Raw) else Raw("num", np.asarray(x, dtype=float)) for x in values],
+    )
 
 
 @pytest.mark.parametrize(
@@ -251,7 +280,9 @@ def results(*values):
         (results([-1], [2], [-3]), 4, []),
         (results([1], [2], [4]), 2, ["Square your results."]),
         (
-            results([1], Raw("error", "call 2 stopped with ZeroDivisionError: division by zero"), [3]),
+            results(
+                [1], Raw("error", "call 2 stopped with ZeroDivisionError: division by zero"), [3]
+            ),
             2,
             ["Square your results.", "near: call 2 gave: ZeroDivisionError: division by zero."],
         ),
@@ -261,9 +292,13 @@ def results(*values):
             ["far: call 1 ran longer than 5 s and was stopped."],
         ),
         (
-            results(Raw("error", "call 1: not a matrix of numbers: a dict (TypeError)"), [np.nan], [3]),
+            results(
+                Raw("error", "call 1: not a matrix of numbers: a dict (TypeError)"), [np.nan], [3]
+            ),
             2,
-            ["near: call 1 gave: not a matrix of numbers: a dict (TypeError) (2 of 2 calls gave no numbers)."],
+            [
+                "near: call 1 gave: not a matrix of numbers: a dict (TypeError) (2 of 2 calls gave no numbers)."
+            ],
         ),
         (results([1]), 0, ["near: call 2 gave: no result.", "far: call 1 gave: no result."]),
     ],
@@ -276,7 +311,9 @@ def test_a_check_judges_group_by_group_and_reasons_reach_the_student(raw, points
 
 
 def test_a_check_that_leaves_it_to_the_comparison_keeps_what_that_says():
-    (verdict,) = mark(rooted(check=lambda *_: Outcome(finding="Look again.")), {}, {"t_f": results([1], [2], [4])})
+    (verdict,) = mark(
+        rooted(check=lambda *_: Outcome(finding="Look again.")), {}, {"t_f": results([1], [2], [4])}
+    )
     assert (verdict.status, verdict.points) == ("partly", 2)
     said = [finding.text for finding in verdict.findings]
     assert said == [
@@ -290,16 +327,23 @@ def test_results_of_published_calls_are_given_group_by_group():
     published = {"yours": [([25.0],)]}
     value = Results((np.array([5.0]),), published=True)
     assert [*value.by_group(published)] == ["yours"]
-    assert value.by_group({"a": [(1,)], "b": [(1,), (2,)]}) == {"a": (value.values[0],), "b": ("no result",) * 2}
+    assert value.by_group({"a": [(1,)], "b": [(1,), (2,)]}) == {
+        "a": (value.values[0],),
+        "b": ("no result",) * 2,
+    }
 
 
 def test_a_reference_may_use_arrays_like_its_students():
     def squared(x):
         return x.T @ x  # a list has no transpose
 
-    exercise = exercise_of(Part("t_f", "f?", 4, Function("(x)", lambda _: CALLS), lambda *_: squared))
+    exercise = exercise_of(
+        Part("t_f", "f?", 4, Function("(x)", lambda _: CALLS), lambda *_: squared)
+    )
     (part,) = exercise.asked
-    (verdict,) = mark(exercise, {}, {"t_f": handed_in(part.answer, references(exercise, {})["t_f"], {})})
+    (verdict,) = mark(
+        exercise, {}, {"t_f": handed_in(part.answer, references(exercise, {})["t_f"], {})}
+    )
     assert verdict.points == 4
 
 
@@ -307,7 +351,9 @@ def test_two_calls_that_differ_deep_inside_a_large_array_are_two_calls():
     first, second = np.zeros(2000), np.zeros(2000)
     second[1000] = 1.0
     calls = {"first": [(first,)], "second": [(second,)]}
-    exercise = exercise_of(Part("t_f", "f?", 4, Function("(x)", lambda _: calls), lambda *_: lambda x: x.sum() + 2))
+    exercise = exercise_of(
+        Part("t_f", "f?", 4, Function("(x)", lambda _: calls), lambda *_: lambda x: x.sum() + 2)
+    )
     (verdict,) = mark(exercise, {}, {"t_f": results(2, 3)})
     assert verdict.points == 4
 
@@ -338,28 +384,38 @@ BOTH = "import numpy as np\ndef unsent_f(x):\n    return 2 * x\ndef unsent_h(x):
 
 def unsent(folder, argument, **more):
     course = make_course(folder, exercises=("lever", "unsent"), **more)
-    (course / "exercises" / "unsent.py").write_text(UNSENT.replace("ARGUMENT", argument), encoding="utf-8")
+    (course / "exercises" / "unsent.py").write_text(
+        UNSENT.replace("ARGUMENT", argument), encoding="utf-8"
+    )
     return handed_out(course)
 
 
 def graded(folder):
     course = read_course(folder)
     with Gradebook(folder / "gradebook.sqlite") as gradebook:
-        return {r.student.id: r for r in SheetMarker(course, gradebook, course.settings.sheet[0]).results()}
+        return {
+            r.student.id: r
+            for r in SheetMarker(course, gradebook, course.settings.sheet[0]).results()
+        }
 
 
 @pytest.mark.parametrize(
     ("argument", "words"),
     [
         ("np.zeros(2) * 1j", "unsent_f, call 2: an argument takes real numbers"),
-        ("{1: 2}['x']", "The reference answer of this part is no longer the one"),  # nor can it be compared
+        (
+            "{1: 2}['x']",
+            "The reference answer of this part is no longer the one",
+        ),  # nor can it be compared
     ],
 )
 def test_a_call_that_cannot_be_made_costs_nobody_anything(tmp_path, argument, words):
     """It ended the marking of the whole course."""
     course = unsent(tmp_path, "np.zeros(2)")  # as it was handed out
     text = (tmp_path / "exercises" / "unsent.py").read_text(encoding="utf-8")
-    (tmp_path / "exercises" / "unsent.py").write_text(text.replace("np.zeros(2)", argument), encoding="utf-8")
+    (tmp_path / "exercises" / "unsent.py").write_text(
+        text.replace("np.zeros(2)", argument), encoding="utf-8"
+    )
     with Gradebook(tmp_path / "gradebook.sqlite") as gradebook:
         drawn = {r.student: r.numbers for r in gradebook.records("one") if r.exercise == "unsent"}
     for student, numbers in drawn.items():
@@ -376,8 +432,16 @@ def test_a_check_goes_on_where_a_call_cannot_be_made(tmp_path, monkeypatch):
     path = tmp_path / "unsent.py"
     path.write_text(UNSENT.replace("ARGUMENT", "None"), encoding="utf-8")
     monkeypatch.setattr("kinegrade.course.check.exercise_files", lambda: {"unsent": path})
-    for mode, said in (("practice", "not graded yet: Your answer is kept"), ("exam", "not checked: unsent_f, call 2")):
-        about = {"sheet": "one", "mode": mode, "exercises": ["unsent"], "numbers": {"unsent": {"x": 0.5}}}
+    for mode, said in (
+        ("practice", "not graded yet: Your answer is kept"),
+        ("exam", "not checked: unsent_f, call 2"),
+    ):
+        about = {
+            "sheet": "one",
+            "mode": mode,
+            "exercises": ["unsent"],
+            "numbers": {"unsent": {"x": 0.5}},
+        }
         (tmp_path / "one.ipynb").write_bytes(notebook(BOTH.format(1.5), about=about))
         _, found = check_file(tmp_path / "one.ipynb")
         texts = {remark.part: remark for remark in found}
@@ -389,18 +453,25 @@ def test_a_check_goes_on_where_a_call_cannot_be_made(tmp_path, monkeypatch):
 @pytest.mark.parametrize(
     ("argument", "words"),
     [
-        ("None", "an argument takes numbers, text, and lists and dicts of them, got None (NoneType)"),
+        (
+            "None",
+            "an argument takes numbers, text, and lists and dicts of them, got None (NoneType)",
+        ),
         ("{1: 2}", "a dict takes text as names"),
     ],
 )
 def test_validate_finds_a_call_that_cannot_be_made(tmp_path, argument, words):
     path = tmp_path / "unsent.py"
     path.write_text(
-        UNSENT.replace("ARGUMENT", argument).replace("return 2 * x", "return 2 * x if isinstance(x, float) else 1.0"),
+        UNSENT.replace("ARGUMENT", argument).replace(
+            "return 2 * x", "return 2 * x if isinstance(x, float) else 1.0"
+        ),
         encoding="utf-8",
     )
     found = {
-        failure.part: failure.sentence for failure in validate_file(path, 1).failures if failure.kind == "solution"
+        failure.part: failure.sentence
+        for failure in validate_file(path, 1).failures
+        if failure.kind == "solution"
     }
     assert [*found] == ["unsent_f"]
     assert words in found["unsent_f"]
@@ -458,7 +529,10 @@ def annotated(x: Numbers) -> Numbers:
     ("function", "words"),
     [
         (sound, ""),
-        (halved, "the reference function halved uses HALF, which its worked solution does not have"),
+        (
+            halved,
+            "the reference function halved uses HALF, which its worked solution does not have",
+        ),
         (nested(2), "the reference function inner uses factor, which"),
         (annotated, "uses Numbers, which"),
         (lambda x: x, "takes a def of its own, no lambda"),
@@ -468,17 +542,17 @@ def annotated(x: Numbers) -> Numbers:
 def test_a_name_that_a_worked_solution_lacks_is_named(function, words):
     part = Part("t_f", "f?", 4, Function("(x)", lambda _: CALLS), lambda *_: function)
     reference = references(exercise_of(part), {})["t_f"]
-    said = unprintable(part, reference)
+    said = part.answer.unprintable(part.variable, reference)
     assert words in said
     assert bool(said) == bool(words)
-    code = function_code(part, reference)
+    code = answer_code(part, reference)
     assert code.startswith("def t_f(x" if "def of its own" not in words else "# t_f: ")
     compile(code, "<code>", "exec")
 
 
 def test_an_indented_reference_is_printed_at_the_margin():
     part = Part("t_f", "f?", 4, Function("(x)", lambda _: CALLS), lambda *_: nested(2))
-    assert function_code(part, nested(2)) == "def t_f(x):\n    return [factor * y for y in x]"
+    assert answer_code(part, nested(2)) == "def t_f(x):\n    return [factor * y for y in x]"
 
 
 def test_validate_runs_the_worked_solution(tmp_path, monkeypatch):
@@ -486,7 +560,9 @@ def test_validate_runs_the_worked_solution(tmp_path, monkeypatch):
     text = UNSENT.replace("ARGUMENT", "0.25")
     path.write_text(text, encoding="utf-8")
     assert validate_file(path, 2).failures == ()
-    hidden = text.replace("    return 2 * x", "    from kinegrade.solutions.units import UNITS\n    return 2 * x")
+    hidden = text.replace(
+        "    return 2 * x", "    from kinegrade.exercises.units import UNITS\n    return 2 * x"
+    )
     path.write_text(hidden, encoding="utf-8")
     found = validate_file(path, 2).failures
     assert {(failure.kind, failure.seed, failure.part) for failure in found} == {
@@ -506,9 +582,13 @@ def test_a_mistake_of_a_function_is_still_named():
 # --- yes and no
 
 
-@pytest.mark.parametrize("value", ["x > 1.5", "bool(x > 1.5)", "[x > 1.5]", "np.array([[x > 1.5]])"])
+@pytest.mark.parametrize(
+    "value", ["x > 1.5", "bool(x > 1.5)", "[x > 1.5]", "np.array([[x > 1.5]])"]
+)
 def test_yes_and_no_are_one_and_zero(value):
-    found = collect(notebook("import numpy as np", f"def f(x): return {value}"), [Ask("f", ((1.0,), (2.0,)))])["f"]
+    found = collect(
+        notebook("import numpy as np", f"def f(x): return {value}"), [Ask("f", ((1.0,), (2.0,)))]
+    )["f"]
     assert [result.value.ravel().tolist() for result in found.value] == [[0.0], [1.0]]
 
 
@@ -552,7 +632,10 @@ def test_a_vector_in_a_file_is_the_vector_of_a_function():
     calls = {"yours": [([1.0, 2.0],), ([3.0, 4.0],)]}
     answer = Function("(x)", lambda _: calls, published=lambda _: calls)
     exercise = exercise_of(Part("t_f", "f?", 4, answer, lambda *_: lambda x: 2 * x))
-    for name, data in (("one.csv", b"t_f 1\n2, 4\nt_f 2\n6, 8\n"), ("one.json", b'{"t_f": [[2, 4], [6, 8]]}')):
+    for name, data in (
+        ("one.csv", b"t_f 1\n2, 4\nt_f 2\n6, 8\n"),
+        ("one.json", b'{"t_f": [[2, 4], [6, 8]]}'),
+    ):
         submission = Submission(Path(name), data)
         (verdict,) = mark(exercise, {}, submission.raws(submission.asks(exercise, {}), Limits()))
         assert verdict.points == 4, verdict

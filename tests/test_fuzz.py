@@ -9,10 +9,10 @@ from typing import Any
 
 import numpy as np
 import pytest
+from kinegrade.grader.reading.typed import typed
+from kinegrade.grader.reading.typed_equations import typed_equations
+from kinegrade.grader.reading.typed_matrix import typed_matrix
 from kinegrade.solutions.expression import ExpressionError
-from kinegrade.solutions.typed import typed
-from kinegrade.solutions.typed_equations import typed_equations
-from kinegrade.solutions.typed_matrix import typed_matrix
 
 MANY = 100_000
 VALUES = {"q1": 0.7, "q2": -0.4, "q3": 1.9, "l1": 0.83, "a2": 0.31, "d1": 1.27}
@@ -29,7 +29,13 @@ FUNCTIONS: dict[str, Callable[..., float]] = {
     "sec": lambda x: 1 / np.cos(x), "csc": lambda x: 1 / np.sin(x), "cot": lambda x: 1 / np.tan(x),
 }  # fmt: skip
 MODULES = ("np", "numpy", "math", "sp", "sympy")
-OPERATIONS = {ast.Add: np.add, ast.Sub: np.subtract, ast.Mult: np.multiply, ast.Div: np.divide, ast.Pow: np.power}
+OPERATIONS = {
+    ast.Add: np.add,
+    ast.Sub: np.subtract,
+    ast.Mult: np.multiply,
+    ast.Div: np.divide,
+    ast.Pow: np.power,
+}
 LEAVES = [*VALUES, *SHORT, "1", "2", "0.5", "3.75", "1e-3", "10", "np.pi", "0"]
 PIECES = [
     *LEAVES, *FUNCTIONS, *"+-*/^(),;[]", "**", " ", "  ", "\n", "=", ".", "e", "x2", "s1c2", "9" * 30, "1e999",
@@ -67,7 +73,9 @@ def python_value(node: ast.AST):  # noqa: PLR0911  one for each kind of node
             return -number(operand)
         case ast.UnaryOp(op=ast.UAdd(), operand=operand):
             return number(operand)
-        case ast.Call(func=function, args=arguments, keywords=[]) if function_name(function) in FUNCTIONS:
+        case ast.Call(func=function, args=arguments, keywords=[]) if (
+            function_name(function) in FUNCTIONS
+        ):
             return FUNCTIONS[function_name(function)](*map(number, arguments))
         case ast.List(elts=entries):
             return [python_value(entry) for entry in entries]
@@ -96,7 +104,15 @@ def oracle(text: str):
     try:
         with np.errstate(all="ignore"):
             return python_value(ast.parse(text.strip().replace("^", "**"), mode="eval"))
-    except (SyntaxError, ValueError, TypeError, OverflowError, RecursionError, MemoryError, Unknown):
+    except (
+        SyntaxError,
+        ValueError,
+        TypeError,
+        OverflowError,
+        RecursionError,
+        MemoryError,
+        Unknown,
+    ):
         return None
 
 
@@ -137,13 +153,18 @@ def matrix(rng: random.Random) -> str:
 def mutated(rng: random.Random, text: str) -> str:
     for _ in range(rng.randint(1, 3)):
         place = rng.randint(0, len(text))
-        text = text[:place] + rng.choice(["", rng.choice(PIECES), " "]) + text[place + rng.randint(0, 2) :]
+        text = (
+            text[:place]
+            + rng.choice(["", rng.choice(PIECES), " "])
+            + text[place + rng.randint(0, 2) :]
+        )
     return text
 
 
 def anything(rng: random.Random) -> str:
     return "".join(
-        chr(rng.choice([rng.randrange(128), rng.randrange(0x2200), rng.randrange(0x110000)])) for _ in range(12)
+        chr(rng.choice([rng.randrange(128), rng.randrange(0x2200), rng.randrange(0x110000)]))
+        for _ in range(12)
     )
 
 
@@ -193,7 +214,9 @@ def as_matrix(text: str):
 def same(value: Any, meant: Any) -> bool:
     if isinstance(meant, list):
         return len(value) == len(meant) and all(map(same, value, meant))
-    return math.isclose(value, meant, rel_tol=1e-9, abs_tol=1e-12) or (math.isnan(value) and math.isnan(meant))
+    return math.isclose(value, meant, rel_tol=1e-9, abs_tol=1e-12) or (
+        math.isnan(value) and math.isnan(meant)
+    )
 
 
 @pytest.mark.slow

@@ -33,7 +33,8 @@ def chain_of(name: str) -> Chain:
     pre, kinds = np.array(golden["pre_matrices"], dtype=np.float64), "".join(golden["kinds"])
     behind = [*pre[1:], np.array(golden["tool_matrix"], dtype=np.float64)]
     offsets = [
-        elementary("Rz" if kind == "R" else "Tz", offset) for kind, offset in zip(kinds, golden["offsets"], strict=True)
+        elementary("Rz" if kind == "R" else "Tz", offset)
+        for kind, offset in zip(kinds, golden["offsets"], strict=True)
     ]
     return Chain(np.stack([pre[0], *(a @ b for a, b in zip(offsets, behind, strict=True))]), kinds)
 
@@ -85,8 +86,12 @@ def test_the_tool_frame_jacobian_has_the_columns_of_s1_5_26_and_5_27(name: str):
     for q, expected in zip(column(name, "q"), column(name, "jacobe"), strict=True):
         reached = frames(chain, q)
         transforms = np.linalg.inv(reached[:-1]) @ reached[-1]
-        np.testing.assert_allclose(last_frame_columns(transforms, chain.kinds), expected, rtol=0, atol=1e-12)
-        np.testing.assert_allclose(last_frame_columns(transforms, chain.kinds), jacobian(chain, q, "tool"), atol=1e-12)
+        np.testing.assert_allclose(
+            last_frame_columns(transforms, chain.kinds), expected, rtol=0, atol=1e-12
+        )
+        np.testing.assert_allclose(
+            last_frame_columns(transforms, chain.kinds), jacobian(chain, q, "tool"), atol=1e-12
+        )
 
 
 @pytest.mark.parametrize("name", [name for name, golden in GOLDEN.items() if golden["links"]])
@@ -94,7 +99,8 @@ def test_the_printed_table_gives_the_same_chain(name: str):
     golden, rows = GOLDEN[name], list[list[float]]()
     for link in golden["links"]:
         cells = [
-            0.0 if link[key] == "q" else float(parse(link[key], ()).at({})) for key in ("theta", "d", "a", "alpha")
+            0.0 if link[key] == "q" else float(parse(link[key], ()).at({}))
+            for key in ("theta", "d", "a", "alpha")
         ]
         cells[0 if link["kind"] == "R" else 1] += float(parse(link["offset"], ()).at({}))
         rows.append(cells)
@@ -113,7 +119,9 @@ def test_a_robot_of_the_course_is_its_golden_twin(ours: str, golden: str):
     chain, q = ROBOTS[ours].chain(), column(golden, "q")
     np.testing.assert_allclose(forward(chain, q), column(golden, "T"), rtol=0, atol=1e-12)
     np.testing.assert_allclose(jacobian(chain, q), column(golden, "jacob0"), rtol=0, atol=1e-12)
-    np.testing.assert_allclose(jacobian(chain, q, "tool"), column(golden, "jacobe"), rtol=0, atol=1e-12)
+    np.testing.assert_allclose(
+        jacobian(chain, q, "tool"), column(golden, "jacobe"), rtol=0, atol=1e-12
+    )
 
 
 @pytest.mark.parametrize("name", ["puma560", "stanford", "ur5", "panda"])

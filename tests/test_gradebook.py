@@ -7,12 +7,23 @@ import pytest
 from kinegrade.course.config import CourseError
 from kinegrade.course.gradebook import Gradebook, GradeKey
 from kinegrade.course.variant import Record
-from kinegrade.grader.verdict import Finding, Verdict, not_graded
+from kinegrade.grader.marking.verdict import Finding, Verdict, not_graded
 
-RECORD = Record("ada", "one", "lever", 3, {"L": 0.1, "q": [0.30000000000000004]}, {"lever_p": [[1e-9, -2.5]]})
+RECORD = Record(
+    "ada", "one", "lever", 3, {"L": 0.1, "q": [0.30000000000000004]}, {"lever_p": [[1e-9, -2.5]]}
+)
 KEY = GradeKey("ada", "one", "bytes", "rules")
 VERDICTS = [
-    Verdict("lever_p", "partly", 1.25, 2, (Finding("Ø", private=True), Finding("two")), "read", [True], [0.5]),
+    Verdict(
+        "lever_p",
+        "partly",
+        1.25,
+        2,
+        (Finding("Ø", private=True), Finding("two")),
+        "read",
+        [True],
+        [0.5],
+    ),
     not_graded("lever_J", 3, "wait"),
 ]
 
@@ -97,7 +108,8 @@ def test_a_file_that_is_no_database_is_refused_and_left_as_it_is(tmp_path):
     path = tmp_path / "gradebook.sqlite"
     path.write_bytes(b"student,points\nada,5\n" * 100)
     with pytest.raises(
-        CourseError, match=r"gradebook.sqlite: not a gradebook that can be used: file is not a database"
+        CourseError,
+        match=r"gradebook.sqlite: not a gradebook that can be used: file is not a database",
     ):
         Gradebook(path)
     assert path.read_bytes() == b"student,points\nada,5\n" * 100

@@ -37,14 +37,19 @@ def graded(folder, *, accept_change=False):
     """Student to result, of a fresh run."""
     course = read_course(folder)
     with Gradebook(folder / "gradebook.sqlite") as gradebook:
-        marker = SheetMarker(course, gradebook, course.settings.sheet[0], accept_change=accept_change)
+        marker = SheetMarker(
+            course, gradebook, course.settings.sheet[0], accept_change=accept_change
+        )
         return {result.student.id: result for result in marker.results()}
 
 
 def recorded(folder):
     course = read_course(folder)
     with Gradebook(folder / "gradebook.sqlite") as gradebook:
-        return {result.student.id: result for result in recorded_results(course, gradebook, course.settings.sheet[0])}
+        return {
+            result.student.id: result
+            for result in recorded_results(course, gradebook, course.settings.sheet[0])
+        }
 
 
 def statuses(result):
@@ -52,7 +57,9 @@ def statuses(result):
 
 
 def said(result):
-    return " ".join([result.reason, *(finding.text for v in result.verdicts for finding in v.findings)])
+    return " ".join(
+        [result.reason, *(finding.text for v in result.verdicts for finding in v.findings)]
+    )
 
 
 @pytest.fixture
@@ -107,9 +114,14 @@ def test_no_submission_is_no_grade(folder):
 
 
 def test_a_submission_under_another_name_is_pointed_at(folder):
-    (folder / "submitted" / "ben" / "one.json").rename(folder / "submitted" / "ben" / "one (2).ipynb")
+    (folder / "submitted" / "ben" / "one.json").rename(
+        folder / "submitted" / "ben" / "one (2).ipynb"
+    )
     result = graded(folder)["ben"]
-    assert result.reason == "no submission; one (2).ipynb is there, but the file takes the name one.ipynb"
+    assert (
+        result.reason
+        == "no submission; one (2).ipynb is there, but the file takes the name one.ipynb"
+    )
     assert result.points is None
 
 
@@ -142,11 +154,15 @@ def test_a_bad_notebook_fails_with_a_sentence_and_everybody_else_is_marked(folde
     assert statuses(found["ben"]) == ["failed"] * 2
     assert found["ben"].points == 0
     sentences = [verdict.findings[0].text.partition("\n")[0] for verdict in found["ben"].verdicts]
-    assert all(sentence.endswith(".") for sentence in sentences)  # typed text with a caret may follow
+    assert all(
+        sentence.endswith(".") for sentence in sentences
+    )  # typed text with a caret may follow
     assert (found["ada"].points, found["cyd"].points) == (5, 5)
 
 
-@pytest.mark.parametrize("make", [lambda path: path.mkdir(), lambda path: path.symlink_to("nowhere")])
+@pytest.mark.parametrize(
+    "make", [lambda path: path.mkdir(), lambda path: path.symlink_to("nowhere")]
+)
 def test_a_submission_that_cannot_be_read_waits_and_everybody_else_is_marked(folder, make):
     (folder / "submitted" / "ben" / "one.json").unlink()
     make(folder / "submitted" / "ben" / "one.json")
@@ -183,10 +199,14 @@ def test_the_same_bytes_in_a_file_of_another_kind_are_another_submission(folder)
 def test_other_limits_mark_anew(folder):
     graded(folder)
     course = folder / "course.toml"
-    course.write_text(course.read_text(encoding="utf-8") + "[limits]\ncell_seconds = 3\n", encoding="utf-8")
+    course.write_text(
+        course.read_text(encoding="utf-8") + "[limits]\ncell_seconds = 3\n", encoding="utf-8"
+    )
     graded(folder)
     with sqlite3.connect(folder / "gradebook.sqlite") as connection:
-        assert connection.execute("SELECT count(*) FROM grade WHERE student = 'ada'").fetchone() == (2,)
+        assert connection.execute(
+            "SELECT count(*) FROM grade WHERE student = 'ada'"
+        ).fetchone() == (2,)
     connection.close()
 
 
@@ -204,11 +224,15 @@ def test_results_are_read_back_without_looking_at_submissions(folder):
     first = graded(folder)
     (folder / "submitted" / "ada" / "one.json").unlink()
     again = recorded(folder)
-    assert [again[student].verdicts for student in again] == [first[student].verdicts for student in first]
+    assert [again[student].verdicts for student in again] == [
+        first[student].verdicts for student in first
+    ]
     assert again["cyd"].reason == "nothing marked yet"
 
 
-def test_a_failure_of_the_grader_leaves_a_submission_waiting_and_is_made_up_for(folder, monkeypatch, caplog):
+def test_a_failure_of_the_grader_leaves_a_submission_waiting_and_is_made_up_for(
+    folder, monkeypatch, caplog
+):
     right, real = answers(folder, "ben"), grading.mark
 
     def failing(exercise, v, raws, others):
@@ -226,7 +250,9 @@ def test_a_failure_of_the_grader_leaves_a_submission_waiting_and_is_made_up_for(
     assert graded(folder)["ben"].points == recorded(folder)["ben"].points == 5
 
 
-def test_a_failure_while_reading_a_submission_costs_that_submission_only(folder, monkeypatch, caplog):
+def test_a_failure_while_reading_a_submission_costs_that_submission_only(
+    folder, monkeypatch, caplog
+):
     def fail(*_):
         raise MemoryError("full")
 
@@ -241,11 +267,15 @@ def test_a_failure_while_reading_a_submission_costs_that_submission_only(folder,
 
 def test_a_failure_in_one_exercise_leaves_the_others_marked(tmp_path, monkeypatch, caplog):
     make_course(tmp_path, exercises=("lever", "stick"), students=CLASS[:1])
-    (tmp_path / "exercises" / "stick.py").write_text(LEVER.replace("lever", "stick"), encoding="utf-8")
+    (tmp_path / "exercises" / "stick.py").write_text(
+        LEVER.replace("lever", "stick"), encoding="utf-8"
+    )
     course = handed_out(tmp_path)
     hand_in(course, "ada", right_answers(course, "ada"))
     real = grading.mark
-    monkeypatch.setattr(grading, "mark", lambda e, *rest: 1 / 0 if e.slug == "stick" else real(e, *rest))
+    monkeypatch.setattr(
+        grading, "mark", lambda e, *rest: 1 / 0 if e.slug == "stick" else real(e, *rest)
+    )
     result = graded(tmp_path)["ada"]
     assert statuses(result) == ["correct", "correct", "not_graded", "not_graded"]
     assert result.points is None
@@ -292,7 +322,11 @@ def test_an_edit_that_changes_no_answer_marks_anew_and_waits_for_nobody(folder):
 
 def test_a_change_in_a_module_beside_the_exercise_makes_its_marks_stale(folder, monkeypatch):
     (folder / "exercises" / "arms.py").write_text("share = 1.0\n", encoding="utf-8")
-    edit(folder, "return np.array([-y, x])", "from arms import share\n    return share * np.array([-y, x])")
+    edit(
+        folder,
+        "return np.array([-y, x])",
+        "from arms import share\n    return share * np.array([-y, x])",
+    )
     before = graded(folder)
     real, marked = grading.mark, []
     monkeypatch.setattr(grading, "mark", lambda e, *rest: marked.append(e.slug) or real(e, *rest))
@@ -305,20 +339,30 @@ def test_a_change_in_a_module_beside_the_exercise_makes_its_marks_stale(folder, 
     assert statuses(graded(folder)["ada"]) == ["correct", "not_graded"]  # the answers moved, too
 
 
-def test_an_exercise_that_needs_numbers_it_did_not_draw_waits_and_cannot_be_accepted(folder, caplog):
+def test_an_exercise_that_needs_numbers_it_did_not_draw_waits_and_cannot_be_accepted(
+    folder, caplog
+):
     edit(folder, 'v["L"] * np', 'v["width"] * np')
     found = graded(folder)
     assert {status for result in found.values() for status in statuses(result)} == {"not_graded"}
     assert "KeyError" in caplog.text
-    with pytest.raises(CourseError, match="exercise lever cannot be accepted: it fails with KeyError: 'width' on the"):
+    with pytest.raises(
+        CourseError,
+        match="exercise lever cannot be accepted: it fails with KeyError: 'width' on the",
+    ):
         graded(folder, accept_change=True)
 
 
 def test_somebody_elses_answers_are_named_to_the_instructor_only(folder, monkeypatch):
-    monkeypatch.setattr("kinegrade.grader.follow.TELLING", 1)  # a lever has few numbers
+    monkeypatch.setattr("kinegrade.grader.marking.follow.TELLING", 1)  # a lever has few numbers
     put(folder, "ben", answers(folder, "ada"))
     result = graded(folder)["ben"]
-    told = [finding for verdict in result.verdicts for finding in verdict.findings if "ada" in finding.text]
+    told = [
+        finding
+        for verdict in result.verdicts
+        for finding in verdict.findings
+        if "ada" in finding.text
+    ]
     assert len(told) == 2
     assert all(finding.private for finding in told)
     assert result.points == 0
@@ -333,7 +377,9 @@ def test_nobody_copies_from_oneself(folder):
 
 
 @pytest.mark.parametrize("statements", [1, 4])
-def test_a_run_killed_inside_a_transaction_is_finished_by_the_next_with_the_same_grades(folder, tmp_path, statements):
+def test_a_run_killed_inside_a_transaction_is_finished_by_the_next_with_the_same_grades(
+    folder, tmp_path, statements
+):
     put(folder, "ada", {"lever_p": [9.0, 9.0]})
     command = [sys.executable, "-c", KILLED, str(folder), str(statements)]
     path = os.pathsep.join(entry for entry in sys.path if entry)

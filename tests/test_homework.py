@@ -7,13 +7,13 @@ import pytest
 from answers import raws_of, right_raws
 from kinegrade.course.config import Sheet, Student
 from kinegrade.course.drawn import drawn
-from kinegrade.course.notebook import notebooks
-from kinegrade.course.starter_matlab import starter
+from kinegrade.course.sheet.matlab import starter
+from kinegrade.course.sheet.notebook import notebooks
 from kinegrade.exercises.answers import Manual
-from kinegrade.exercises.catalogue import load
 from kinegrade.exercises.exercise import references
-from kinegrade.grader.mark import mark
-from kinegrade.grader.wire import Raw
+from kinegrade.exercises.files.finding import load
+from kinegrade.grader.collecting.wire import Raw
+from kinegrade.grader.marking.mark import mark
 from kinegrade.solutions.jacobian import jacobian
 from kinegrade.solutions.robots import ROBOTS
 from kinegrade.solutions.screws import screws
@@ -32,7 +32,10 @@ def verdicts(exercise, v, **own):
     """Verdicts by the names of the parts, where these answers stand in place of right ones."""
     named = {f"{exercise.slug}_{name}": value for name, value in own.items()}
     raws = {**right_raws(exercise, v), **raws_of(exercise, v, named)}
-    return {verdict.part.removeprefix(f"{exercise.slug}_"): verdict for verdict in mark(exercise, v, raws)}
+    return {
+        verdict.part.removeprefix(f"{exercise.slug}_"): verdict
+        for verdict in mark(exercise, v, raws)
+    }
 
 
 @pytest.mark.parametrize("slug", FILES)
@@ -53,10 +56,14 @@ def test_every_known_mistake_is_named(slug):
             found = mark(exercise, v, raws_of(exercise, v, {**given, part.variable: wrong}))
             mine = next(verdict for verdict in found if verdict.part == part.variable)
             assert mine.status != "correct"
-            assert any(mistake.sentence in finding.text for finding in mine.findings), mistake.sentence
+            assert any(mistake.sentence in finding.text for finding in mine.findings), (
+                mistake.sentence
+            )
 
 
-@pytest.mark.parametrize(("slug", "first"), [("statics_3r", "J"), ("newton_ik", "J"), ("screw_jacobian", "T")])
+@pytest.mark.parametrize(
+    ("slug", "first"), [("statics_3r", "J"), ("newton_ik", "J"), ("screw_jacobian", "T")]
+)
 def test_what_is_computed_from_an_own_wrong_part_keeps_its_points(slug, first):
     exercise, v = of(slug, 5)
     own = references(exercise, v)
@@ -66,7 +73,10 @@ def test_what_is_computed_from_an_own_wrong_part_keeps_its_points(slug, first):
     for part in exercise.asked:
         if f"{slug}_{first}" in part.needs:
             own[part.variable] = part.solve(v, {need: own[need] for need in part.needs})
-    assert sum(verdict.status != "correct" for verdict in mark(exercise, v, raws_of(exercise, v, own))) == 1
+    assert (
+        sum(verdict.status != "correct" for verdict in mark(exercise, v, raws_of(exercise, v, own)))
+        == 1
+    )
 
 
 def test_torques_follow_from_power_in_a_planar_arm():
@@ -76,9 +86,14 @@ def test_torques_follow_from_power_in_a_planar_arm():
     fx, fy, m = v["F_tool"]
     F = [np.cos(angle) * fx - np.sin(angle) * fy, np.sin(angle) * fx + np.cos(angle) * fy, m]
     np.testing.assert_allclose(got["statics_3r_F"], F, atol=1e-12)
-    J = jacobian(ROBOTS["planar_3r"].chain({name: v[name] for name in ("l1", "l2", "l3")}), v["q"])[[0, 1, 5]]
+    J = jacobian(ROBOTS["planar_3r"].chain({name: v[name] for name in ("l1", "l2", "l3")}), v["q"])[
+        [0, 1, 5]
+    ]
     np.testing.assert_allclose(got["statics_3r_tau"], J.T @ F, atol=1e-12)
-    typed = Raw("text", [f"{got['statics_3r_tau'][0]:.3f} N m", *(f"{x:.3f}" for x in got["statics_3r_tau"][1:])])
+    typed = Raw(
+        "text",
+        [f"{got['statics_3r_tau'][0]:.3f} N m", *(f"{x:.3f}" for x in got["statics_3r_tau"][1:])],
+    )
     assert verdicts(exercise, v, tau=typed)["tau"].status == "correct"
 
 
@@ -88,12 +103,18 @@ def test_space_and_body_jacobian_have_the_angular_rows_on_top():
     lengths = {name: v[name] for name in ("a1", "a2", "d4")}
     chain = ROBOTS["scara"].chain(lengths)
     swap = [3, 4, 5, 0, 1, 2]
-    np.testing.assert_allclose(got["screw_jacobian_J_s"], jacobian(chain, v["q"], point="origin")[swap], atol=1e-12)
-    np.testing.assert_allclose(got["screw_jacobian_J_b"], jacobian(chain, v["q"], frame="tool")[swap], atol=1e-12)
+    np.testing.assert_allclose(
+        got["screw_jacobian_J_s"], jacobian(chain, v["q"], point="origin")[swap], atol=1e-12
+    )
+    np.testing.assert_allclose(
+        got["screw_jacobian_J_b"], jacobian(chain, v["q"], frame="tool")[swap], atol=1e-12
+    )
     np.testing.assert_allclose(
         got["screw_jacobian_Ad"] @ got["screw_jacobian_J_b"], got["screw_jacobian_J_s"], atol=1e-12
     )
-    np.testing.assert_allclose(got["screw_jacobian_J_s"][:, 0], screws(chain)[0][0][swap], atol=1e-12)  # S1 stays
+    np.testing.assert_allclose(
+        got["screw_jacobian_J_s"][:, 0], screws(chain)[0][0][swap], atol=1e-12
+    )  # S1 stays
     linear_first = verdicts(exercise, v, J_s=got["screw_jacobian_J_s"][swap])["J_s"]
     assert linear_first.points == 0
     assert "angular" in linear_first.findings[0].text

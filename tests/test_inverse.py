@@ -34,7 +34,13 @@ def nearby(name: str, count: int = 12) -> list[tuple[Array, Array]]:
     robot, rng = ROBOTS[name], np.random.default_rng(11)
     low, high = np.array(robot.limits).T
     targets = rng.uniform(low, high, (count, robot.n))
-    return list(zip(targets, np.clip(targets + rng.uniform(-0.25, 0.25, targets.shape), low, high), strict=True))
+    return list(
+        zip(
+            targets,
+            np.clip(targets + rng.uniform(-0.25, 0.25, targets.shape), low, high),
+            strict=True,
+        )
+    )
 
 
 @robots
@@ -61,7 +67,9 @@ def test_the_result_keeps_the_limits_and_reports_what_it_reached(name: str):
         assert found.position_error == pytest.approx(np.linalg.norm(missing[:3]), abs=1e-14)
         assert found.rotation_error == pytest.approx(np.linalg.norm(missing[3:]), abs=1e-14)
         assert found.converged == (found.stopped == "converged")
-        assert bool(found.held) == (found.stopped == "joint limits") or found.stopped == "iterations"
+        assert (
+            bool(found.held) == (found.stopped == "joint limits") or found.stopped == "iterations"
+        )
 
 
 def test_a_small_displacement_is_s0_4_13_solved():
@@ -94,7 +102,9 @@ def test_convergence_is_quadratic_at_a_regular_pose():
 
 def test_s0s_arm_reaches_its_printed_point():
     chain = ROBOTS["three_axis"].chain({"L": 3, "a2": 2, "a3": 2})
-    found = inverse_kinematics(chain, at(3, 0, 3 + math.sqrt(3)), (0.2, -0.3, 0.2), rows=slice(0, 3))
+    found = inverse_kinematics(
+        chain, at(3, 0, 3 + math.sqrt(3)), (0.2, -0.3, 0.2), rows=slice(0, 3)
+    )
     assert found.converged
     np.testing.assert_allclose(found.q, [0, -math.pi / 6, math.pi / 6], rtol=0, atol=1e-8)
 
@@ -115,8 +125,12 @@ def test_no_step_is_longer_than_asked_and_none_increases_the_error():
     assert (np.diff([x.position_error for x in path]) <= 0).all()
 
 
-@pytest.mark.parametrize(("x", "distance"), [(1.8, 0.1), (100.0, 98.3), (0.2, 0.1), (0.0, 0.3), (1.700001, 1e-6)])
-def test_a_point_out_of_reach_is_said_to_be_so_and_the_nearest_point_is_found(x: float, distance: float):
+@pytest.mark.parametrize(
+    ("x", "distance"), [(1.8, 0.1), (100.0, 98.3), (0.2, 0.1), (0.0, 0.3), (1.700001, 1e-6)]
+)
+def test_a_point_out_of_reach_is_said_to_be_so_and_the_nearest_point_is_found(
+    x: float, distance: float
+):
     found = planar(x, 0, (0.3, 0.4))
     assert found.stopped == "local minimum"
     assert not found.held
@@ -128,7 +142,9 @@ def test_a_point_on_the_rim_of_the_workspace_is_met(x: float):
     assert planar(x, 0, (0.3, 0.4)).converged
 
 
-@pytest.mark.parametrize(("x", "start"), [(1.2, (0, 0)), (-1.2, (0, 0)), (1.2, (0, math.pi)), (0.5, (math.pi, 0))])
+@pytest.mark.parametrize(
+    ("x", "start"), [(1.2, (0, 0)), (-1.2, (0, 0)), (1.2, (0, math.pi)), (0.5, (math.pi, 0))]
+)
 def test_an_arm_stretched_along_the_way_to_go_leaves_its_singular_pose(x: float, start: Any):
     J = jacobian(PLANAR, start)[:2]
     np.testing.assert_allclose(J.T @ [1, 0], 0, rtol=0, atol=1e-15)
@@ -150,7 +166,9 @@ def test_a_limit_in_the_way_is_named():
     assert found.held == (1,)
     assert found.q[0] == 0.5
     assert str(found).startswith("Not converged after ")
-    assert "no motion within the limits comes closer (joints at a limit: 1); position error" in str(found)
+    assert "no motion within the limits comes closer (joints at a limit: 1); position error" in str(
+        found
+    )
 
 
 def test_the_other_joints_make_up_for_one_at_its_limit():
@@ -163,7 +181,9 @@ def test_the_other_joints_make_up_for_one_at_its_limit():
 
 def test_they_make_up_for_it_in_the_same_step():
     chain, start = from_standard([[0, 0, 1, 0]] * 3, "RRR"), np.array([0.3, 0.097, 0.9])
-    wish = pseudoinverse(jacobian(chain, start)[:2])[1]  # the way on which joint 2 would turn the most
+    wish = pseudoinverse(jacobian(chain, start)[:2])[
+        1
+    ]  # the way on which joint 2 would turn the most
     target = at(*forward(chain, start)[:2, 3] + 0.01 * wish / np.linalg.norm(wish))
     errors = [
         inverse_kinematics(
@@ -196,7 +216,12 @@ def test_tolerances_finer_than_the_arithmetic_are_said_to_be_so():
     chain = PUMA.chain()
     target = forward(chain, np.linspace(0.1, 0.6, 6))
     found = inverse_kinematics(
-        chain, target, np.zeros(6), position_tolerance=1e-30, rotation_tolerance=1e-30, iterations=500
+        chain,
+        target,
+        np.zeros(6),
+        position_tolerance=1e-30,
+        rotation_tolerance=1e-30,
+        iterations=500,
     )
     assert found.stopped in ("rounding", "local minimum")
     assert found.position_error < 1e-15
@@ -258,13 +283,19 @@ MIRROR = np.diag([1.0, 1.0, -1.0, 1.0])
         ({"target": np.eye(3)}, r"target takes one transform \(4, 4\)"),
         ({"target": np.full((4, 4), np.nan)}, "target takes finite numbers"),
         ({"target": MIRROR}, "target takes right-handed rotations"),
-        ({"target": 2 * np.eye(4)}, r"target takes the last row \[0 0 0 1\], got \[0.0, 0.0, 0.0, 2.0\]"),
+        (
+            {"target": 2 * np.eye(4)},
+            r"target takes the last row \[0 0 0 1\], got \[0.0, 0.0, 0.0, 2.0\]",
+        ),
         ({"start": [0.1]}, r"start takes shape \(\.\.\., 2\), got \(1,\)"),
         ({"start": [[0.1, 0.2]]}, r"start takes shape \(2,\), got \(1, 2\)"),
         ({"start": [0.1, 4.0], "limits": [(-3, 3), (-3, 3)]}, "start takes q2 from -3 to 3, got 4"),
         ({"limits": [(-3, 3)]}, "limits takes 2 pairs of a lowest and a highest value"),
         ({"limits": [(-3, 3), (3, -3)]}, "limits takes 2 pairs of a lowest and a highest value"),
-        ({"limits": [(-3, 3), (-3, math.nan)]}, "limits takes 2 pairs of a lowest and a highest value"),
+        (
+            {"limits": [(-3, 3), (-3, math.nan)]},
+            "limits takes 2 pairs of a lowest and a highest value",
+        ),
         ({"limits": "wide"}, "limits takes pairs of numbers, got 'wide'"),
         ({"rows": [7]}, "rows takes some of the rows 0 to 5 of a twist"),
         ({"position_tolerance": 0.0}, "position_tolerance takes a finite number above 0, got 0"),
@@ -285,7 +316,9 @@ def test_a_start_within_rounding_of_its_limits_is_put_on_them():
     limits = [(-1.0, 1.0), (0.5, 2.0)]
     start = np.array([1.0 + 1e-15, 0.5 - 1e-16])
     assert start[0] > 1.0
-    found = inverse_kinematics(PLANAR, forward(PLANAR, [0.9, 0.6]), start, rows=(0, 1), limits=limits)
+    found = inverse_kinematics(
+        PLANAR, forward(PLANAR, [0.9, 0.6]), start, rows=(0, 1), limits=limits
+    )
     assert found.converged
     assert start.flags.writeable
 
@@ -295,9 +328,15 @@ def test_a_start_within_rounding_of_its_limits_is_put_on_them():
     [
         (np.eye(3), np.eye(4), r"reached takes shape \(\.\.\., 4, 4\), got \(3, 3\)"),
         (np.eye(4), np.zeros(4), r"desired takes shape \(\.\.\., 4, 4\), got \(4,\)"),
-        (np.zeros((2, 4, 4)), np.zeros((3, 4, 4)), r"desired takes a batch that fits \(2,\), got \(3,\)"),
+        (
+            np.zeros((2, 4, 4)),
+            np.zeros((3, 4, 4)),
+            r"desired takes a batch that fits \(2,\), got \(3,\)",
+        ),
     ],
 )
-def test_displacements_of_what_are_no_transforms_are_refused_with_a_sentence(reached: Any, desired: Any, sentence: str):
+def test_displacements_of_what_are_no_transforms_are_refused_with_a_sentence(
+    reached: Any, desired: Any, sentence: str
+):
     with pytest.raises(ChainError, match=sentence):
         displacement(reached, desired)

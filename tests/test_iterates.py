@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 from courses import exercise_of, sheet
 from kinegrade.course.config import Student
-from kinegrade.course.notebook import notebooks
-from kinegrade.course.validate import validate_file
+from kinegrade.course.proof.validate import validate_file
+from kinegrade.course.sheet.notebook import notebooks
 from kinegrade.course.variant import fingerprint
-from kinegrade.exercises.catalogue import load
 from kinegrade.exercises.exercise import Part, TableOf, references
-from kinegrade.grader.mark import mark
-from kinegrade.grader.wire import Raw
+from kinegrade.exercises.files.finding import load
+from kinegrade.grader.collecting.wire import Raw
+from kinegrade.grader.marking.mark import mark
 from kinegrade.solutions.table import read_table
 
 NEWTON = '''
@@ -141,7 +141,9 @@ def test_a_known_mistake_in_a_table_of_rows_is_named(newton):
 
 def test_rows_in_order_are_not_said_to_cost_one_another(newton):
     exercise = load(newton)
-    written, _ = notebooks("Tests", sheet("graded", ("newton",)), Student("ada", "Ada"), [(exercise, drawn(exercise))])
+    written, _ = notebooks(
+        "Tests", sheet("graded", ("newton",)), Student("ada", "Ada"), [(exercise, drawn(exercise))]
+    )
     assert "Give 5 decimals, row after row in their order." in written.decode()
     assert "A wrong one costs a right one" not in written.decode()
 
@@ -154,7 +156,9 @@ TABLE = TableOf(("d1", "a2"), "RRP")
 
 def without_q(**more):
     """An exercise that asks for a table of an arm that stands nowhere."""
-    part = Part("t_dh", "DH?", 6, TABLE, lambda *_: read_table(ROWS, ("d1", "a2", "q1", "q2", "q3")))
+    part = Part(
+        "t_dh", "DH?", 6, TABLE, lambda *_: read_table(ROWS, ("d1", "a2", "q1", "q2", "q3"))
+    )
     lengths = lambda rng: {name: round(float(rng.uniform(0.2, 0.8)), 3) for name in ("d1", "a2")}  # noqa: E731
     return exercise_of(part, draw=lengths, units={"d1": "m", "a2": "m"}, **more)
 
@@ -170,7 +174,8 @@ def test_a_table_is_pictured_without_joint_values():
 
 
 @pytest.mark.parametrize(
-    ("change", "points"), [({}, 6), ({(0, 1): "a2"}, None), ({(1, 0): "q2"}, None), ({(0, 3): "-pi/2"}, None)]
+    ("change", "points"),
+    [({}, 6), ({(0, 1): "a2"}, None), ({(1, 0): "q2"}, None), ({(0, 3): "-pi/2"}, None)],
 )
 def test_a_table_is_marked_without_joint_values(change, points):
     exercise = without_q()

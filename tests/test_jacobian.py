@@ -8,11 +8,18 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from kinegrade.solutions.chain import Array, Chain, ChainError, elementary, from_frames, from_standard
-from kinegrade.solutions.emit import BLOCK, direct, half_angle, rows, used_angles
+from kinegrade.solutions.chain import (
+    Array,
+    Chain,
+    ChainError,
+    elementary,
+    from_frames,
+    from_standard,
+)
 from kinegrade.solutions.jacobian import at_point, in_axes, jacobian, last_frame_columns
 from kinegrade.solutions.kinematics import forward, frames
-from kinegrade.solutions.program import trace
+from kinegrade.solutions.program.emit import BLOCK, direct, half_angle, rows, used_angles
+from kinegrade.solutions.program.walk import trace
 from kinegrade.solutions.robots import ROBOTS
 from kinegrade.solutions.rotation import vector_rotation
 
@@ -85,7 +92,9 @@ def test_the_jacobian_of_a_robot_agrees_with_finite_differences(name: str):
     robot, rng = ROBOTS[name], np.random.default_rng(1)
     low, high = np.array(robot.limits).T
     for q in rng.uniform(low, high, (5, robot.n)):
-        np.testing.assert_allclose(jacobian(robot.chain(), q), differenced(robot.chain(), q), rtol=0, atol=1e-9)
+        np.testing.assert_allclose(
+            jacobian(robot.chain(), q), differenced(robot.chain(), q), rtol=0, atol=1e-9
+        )
 
 
 @pytest.mark.parametrize("batched", [False, True])
@@ -108,7 +117,9 @@ def test_s0_section_4_3_1_comes_out_as_printed(batched: bool):
 
 @pytest.mark.parametrize("frame", ["base", "tool"])
 @pytest.mark.parametrize("size", [1, BLOCK - 1, BLOCK, 2 * BLOCK + 5])
-def test_a_batch_of_any_size_is_its_single_configurations(frame: Literal["base", "tool"], size: int):
+def test_a_batch_of_any_size_is_its_single_configurations(
+    frame: Literal["base", "tool"], size: int
+):
     chain, q = PUMA.chain(), np.random.default_rng(size).uniform(-3, 3, (size, 6))
     J = jacobian(chain, q, frame)
     for k in {0, size // 2, min(BLOCK, size - 1), size - 1}:
@@ -118,7 +129,9 @@ def test_a_batch_of_any_size_is_its_single_configurations(frame: Literal["base",
 def test_strided_and_integer_input_is_read_as_it_stands():
     chain, q = PUMA.chain(), np.random.default_rng(3).uniform(-3, 3, (6, 40)).T[::2]
     np.testing.assert_array_equal(jacobian(chain, q), jacobian(chain, q.copy()))
-    np.testing.assert_array_equal(jacobian(chain, [1, 0, 2, 0, 1, 0]), jacobian(chain, [1.0, 0, 2, 0, 1, 0]))
+    np.testing.assert_array_equal(
+        jacobian(chain, [1, 0, 2, 0, 1, 0]), jacobian(chain, [1.0, 0, 2, 0, 1, 0])
+    )
 
 
 def test_a_result_is_written_where_asked():
@@ -164,16 +177,24 @@ def test_axes_may_be_any_rotation_and_the_named_frames_are_two_of_them():
     chain, q = PUMA.chain(), np.random.default_rng(6).uniform(-3, 3, (4, 6))
     R = forward(chain, q)[:, :3, :3]
     np.testing.assert_array_equal(jacobian(chain, q, np.eye(3)), jacobian(chain, q))
-    np.testing.assert_allclose(jacobian(chain, q, R), jacobian(chain, q, "tool"), rtol=0, atol=1e-14)
-    np.testing.assert_allclose(in_axes(jacobian(chain, q), R), jacobian(chain, q, "tool"), rtol=0, atol=1e-14)
+    np.testing.assert_allclose(
+        jacobian(chain, q, R), jacobian(chain, q, "tool"), rtol=0, atol=1e-14
+    )
+    np.testing.assert_allclose(
+        in_axes(jacobian(chain, q), R), jacobian(chain, q, "tool"), rtol=0, atol=1e-14
+    )
 
 
 def test_the_point_may_be_any_and_the_tool_point_and_the_origin_are_two_of_them():
     chain, q = PUMA.chain(), np.random.default_rng(7).uniform(-3, 3, (4, 6))
     p = forward(chain, q)[:, :3, 3]
     np.testing.assert_array_equal(jacobian(chain, q, point=p), jacobian(chain, q))
-    np.testing.assert_array_equal(jacobian(chain, q, point="origin"), jacobian(chain, q, point=(0, 0, 0)))
-    np.testing.assert_allclose(jacobian(chain, q, "tool", point=p), jacobian(chain, q, "tool"), rtol=0, atol=1e-14)
+    np.testing.assert_array_equal(
+        jacobian(chain, q, point="origin"), jacobian(chain, q, point=(0, 0, 0))
+    )
+    np.testing.assert_allclose(
+        jacobian(chain, q, "tool", point=p), jacobian(chain, q, "tool"), rtol=0, atol=1e-14
+    )
     # axis 1 passes through the origin
     np.testing.assert_allclose(jacobian(chain, q, point="origin")[:, :3, 0], 0, rtol=0, atol=1e-15)
 
@@ -181,7 +202,9 @@ def test_the_point_may_be_any_and_the_tool_point_and_the_origin_are_two_of_them(
 def test_at_the_origin_a_column_is_the_screw_of_its_axis():
     chain, q = PUMA.chain(), np.random.default_rng(8).uniform(-3, 3, 6)
     reached = frames(chain, q)[:-1, :3]
-    screws = np.concatenate([np.cross(reached[..., 3], reached[..., 2]), reached[..., 2]], axis=-1).T
+    screws = np.concatenate(
+        [np.cross(reached[..., 3], reached[..., 2]), reached[..., 2]], axis=-1
+    ).T
     np.testing.assert_allclose(jacobian(chain, q, point="origin"), screws, rtol=0, atol=1e-14)
 
 
@@ -190,8 +213,12 @@ def test_a_twist_moves_with_its_jacobian():
     R, r = vector_rotation([0.3, 0.4, -0.2]), np.array([0.1, 0.2, 0.3])
     xi = jacobian(chain, q) @ qdot
     v, w = xi[:3], xi[3:]
-    np.testing.assert_allclose(at_point(xi[:, None], r)[:, 0], [*(v + np.cross(w, r)), *w], rtol=0, atol=1e-15)
-    np.testing.assert_allclose(in_axes(xi[:, None], R)[:, 0], [*(R.T @ v), *(R.T @ w)], rtol=0, atol=1e-15)
+    np.testing.assert_allclose(
+        at_point(xi[:, None], r)[:, 0], [*(v + np.cross(w, r)), *w], rtol=0, atol=1e-15
+    )
+    np.testing.assert_allclose(
+        in_axes(xi[:, None], R)[:, 0], [*(R.T @ v), *(R.T @ w)], rtol=0, atol=1e-15
+    )
 
 
 @pytest.mark.parametrize(
@@ -206,14 +233,20 @@ def test_a_twist_moves_with_its_jacobian():
 )
 def test_configurations_axes_and_points_broadcast(q: Any, frame: Any, point: Any, batch: Any):
     R = np.broadcast_to(np.eye(3), (*frame, 3, 3))
-    assert jacobian(PUMA.chain(), np.full((*q, 6), 0.3), R, point=np.ones((*point, 3))).shape == (*batch, 6, 6)
+    assert jacobian(PUMA.chain(), np.full((*q, 6), 0.3), R, point=np.ones((*point, 3))).shape == (
+        *batch,
+        6,
+        6,
+    )
 
 
 def test_a_result_elsewhere_is_written_where_asked():
     chain, q, out = PUMA.chain(), np.full((3, 6), 0.3), np.full((3, 6, 6), np.nan)
     assert jacobian(chain, q, np.eye(3), out, point="origin") is out
     np.testing.assert_array_equal(out, jacobian(chain, q, point="origin"))
-    with pytest.raises(ChainError, match=r"float64 of shape \(3, 6, 6\), got float64 of shape \(2, 6, 6\)"):
+    with pytest.raises(
+        ChainError, match=r"float64 of shape \(3, 6, 6\), got float64 of shape \(2, 6, 6\)"
+    ):
         jacobian(chain, q, point="origin", out=out[:2])
 
 
@@ -221,13 +254,19 @@ def test_a_result_elsewhere_is_written_where_asked():
     ("call", "sentence"),
     [
         (lambda: jacobian(PUMA.chain(), TWO, 2 * np.eye(3)), "frame takes right-handed rotations"),
-        (lambda: jacobian(PUMA.chain(), TWO, np.eye(4)), r"frame takes shape \(\.\.\., 3, 3\), got \(4, 4\)"),
+        (
+            lambda: jacobian(PUMA.chain(), TWO, np.eye(4)),
+            r"frame takes shape \(\.\.\., 3, 3\), got \(4, 4\)",
+        ),
         (
             lambda: jacobian(PUMA.chain(), TWO, np.stack([np.eye(3)] * 3)),
             r"frame takes a batch that fits \(2,\), got \(3,\)",
         ),
         (lambda: jacobian(PUMA.chain(), TWO, None), "frame takes real numbers"),
-        (lambda: jacobian(PUMA.chain(), TWO, "world", point="origin"), "frame takes 'base' or 'tool', got 'world'"),
+        (
+            lambda: jacobian(PUMA.chain(), TWO, "world", point="origin"),
+            "frame takes 'base' or 'tool', got 'world'",
+        ),
         (
             lambda: jacobian(PUMA.chain(), TWO, point="elbow"),
             r"point takes 'origin' or coordinates \(\.\.\., 3\), got 'elbow'",
@@ -236,16 +275,31 @@ def test_a_result_elsewhere_is_written_where_asked():
             lambda: jacobian(PUMA.chain(), TWO, point=[1.0, 2.0]),
             r"point takes 'origin' or coordinates .* got shape \(2,\)",
         ),
-        (lambda: jacobian(PUMA.chain(), TWO, point=[1.0, 2.0, np.nan]), "point takes finite numbers"),
+        (
+            lambda: jacobian(PUMA.chain(), TWO, point=[1.0, 2.0, np.nan]),
+            "point takes finite numbers",
+        ),
         (
             lambda: jacobian(PUMA.chain(), TWO, point=np.ones((3, 3))),
             r"point takes a batch that fits \(2,\), got \(3,\)",
         ),
-        (lambda: in_axes(np.ones((3, 6)), np.eye(3)), r"J takes shape \(\.\.\., 6, n\), got \(3, 6\)"),
-        (lambda: in_axes(np.ones((2, 6, 1)), np.stack([np.eye(3)] * 3)), "rotation takes a batch that fits"),
+        (
+            lambda: in_axes(np.ones((3, 6)), np.eye(3)),
+            r"J takes shape \(\.\.\., 6, n\), got \(3, 6\)",
+        ),
+        (
+            lambda: in_axes(np.ones((2, 6, 1)), np.stack([np.eye(3)] * 3)),
+            "rotation takes a batch that fits",
+        ),
         (lambda: at_point(np.ones(6), [1, 2, 3]), r"J takes shape \(\.\.\., 6, n\), got \(6,\)"),
-        (lambda: at_point(np.ones((6, 1)), [1, 2]), r"offset takes shape \(\.\.\., 3\), got \(2,\)"),
-        (lambda: at_point(np.ones((2, 6, 1)), np.ones((3, 3))), r"offset takes a batch that fits \(2,\)"),
+        (
+            lambda: at_point(np.ones((6, 1)), [1, 2]),
+            r"offset takes shape \(\.\.\., 3\), got \(2,\)",
+        ),
+        (
+            lambda: at_point(np.ones((2, 6, 1)), np.ones((3, 3))),
+            r"offset takes a batch that fits \(2,\)",
+        ),
     ],
 )
 def test_unfit_axes_and_points_are_refused_with_a_sentence(call: Any, sentence: str):
@@ -301,7 +355,9 @@ def test_the_puma_program_shares_products_and_merges_parallel_axes():
         (elementary("Ry", math.pi), ((1, 0), (-1, 1))),
     ],
 )
-def test_parallel_axes_share_one_angle_however_they_are_offset_or_turned(turn: Array, expected: Any):
+def test_parallel_axes_share_one_angle_however_they_are_offset_or_turned(
+    turn: Array, expected: Any
+):
     chain = from_frames([np.eye(4), elementary("Tx", 0.5) @ turn], "RR", tool=elementary("Tx", 0.3))
     assert expected in trace(chain, "base").angles
     q = np.array([0.4, 0.9])
@@ -311,7 +367,9 @@ def test_parallel_axes_share_one_angle_however_they_are_offset_or_turned(turn: A
 def test_axes_that_are_almost_parallel_keep_their_own_angles():
     chain = from_frames([np.eye(4), elementary("Rx", 1e-10)], "RR", tool=elementary("Tx", 1.0))
     q = np.array([0.4, 0.9])
-    np.testing.assert_allclose(jacobian(chain, q, "tool"), rotated(chain, q, jacobian(chain, q)), rtol=0, atol=1e-15)
+    np.testing.assert_allclose(
+        jacobian(chain, q, "tool"), rotated(chain, q, jacobian(chain, q)), rtol=0, atol=1e-15
+    )
     assert jacobian(chain, [0.0, 0.0])[4, 1] == -1e-10
 
 
@@ -329,7 +387,9 @@ def test_constant_zeros_have_no_sign(name: str, frame: Literal["base", "tool"]):
 
 @pytest.mark.parametrize("turn", [half_angle, direct])
 def test_cosines_and_sines_are_exact_to_the_last_digits(turn: Any):
-    angle = np.concatenate([np.linspace(-20, 20, 4001), np.array([0.0, math.pi, -math.pi, math.pi / 2, 1e-300])])
+    angle = np.concatenate(
+        [np.linspace(-20, 20, 4001), np.array([0.0, math.pi, -math.pi, math.pi / 2, 1e-300])]
+    )
     cosine, sine = np.empty_like(angle), np.empty_like(angle)
     turn(angle, cosine, sine)
     np.testing.assert_allclose(cosine, np.cos(angle), rtol=0, atol=6e-16)

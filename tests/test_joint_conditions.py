@@ -2,19 +2,18 @@
 
 import numpy as np
 import pytest
+from answers import answer_code
 from courses import exercise_of
-from kinegrade.course.blanks import answer_code
-from kinegrade.course.validate import validate_file
+from kinegrade.course.proof.validate import validate_file
 from kinegrade.exercises.answers import Conditions
-from kinegrade.exercises.catalogue import load
 from kinegrade.exercises.exercise import ExerciseError, Part, references
-from kinegrade.exercises.values import declared, pictured
-from kinegrade.grader.common_roots import common_roots
-from kinegrade.grader.conditions import judge_conditions
-from kinegrade.grader.mark import mark
-from kinegrade.grader.read_formulas import read_conditions
-from kinegrade.grader.unreadable import Unreadable
-from kinegrade.grader.wire import Raw
+from kinegrade.exercises.files.finding import load
+from kinegrade.grader.collecting.wire import Raw
+from kinegrade.grader.kinds.common_roots import common_roots
+from kinegrade.grader.kinds.conditions import read_conditions
+from kinegrade.grader.kinds.zero_sets import judge_conditions
+from kinegrade.grader.marking.mark import mark
+from kinegrade.grader.reading.unreadable import Unreadable
 from kinegrade.solutions.condition import AllOf, condition_sympy, condition_text
 from kinegrade.solutions.expression import ExpressionError, parse
 
@@ -43,9 +42,7 @@ def explain(v, given):
 
 
 def given_singular(v):
-    from kinegrade.exercises.values import declared
-
-    return declared(PART.answer, singular(v, {}), v)
+    return PART.answer.declared(singular(v, {}), v)
 
 
 PART = Part(
@@ -91,7 +88,7 @@ def conditions(domain=TURNS):
 def judged(reference, *texts, domain=TURNS):
     answer = conditions(domain)
     own = read_conditions(answer, Raw("text", list(texts)), V)
-    return judge_conditions(declared(answer, reference, V), own, domain, V)
+    return judge_conditions(answer.declared(reference, V), own, domain, V)
 
 
 def test_the_exercise_of_a_planar_arm_with_four_joints_is_sound(tmp_path):
@@ -200,15 +197,18 @@ def test_all_corners_of_six_sines_are_found():
     names = tuple(f"q{i}" for i in range(1, 8))
     domain = dict.fromkeys(names, (-np.pi, np.pi))
     answer = Conditions(names, lambda _: domain)
-    reference = declared(answer, [" and ".join(f"sin({name})" for name in names[1:])], {})
+    reference = answer.declared([" and ".join(f"sin({name})" for name in names[1:])], {})
     for corner in (0, 21, 63):
         places = [f"cos({name}) = {1 - 2 * (corner >> i & 1)}" for i, name in enumerate(names[1:])]
         rest = [f"sin({name}) = 0" for name in names[1:]]
-        own = declared(answer, [" and ".join(places)], {})
+        own = answer.declared([" and ".join(places)], {})
         found = judge_conditions(reference, own, domain, {})
         assert found.holds == (True,)
         assert BRANCH in found.findings[0]
-        assert judge_conditions(reference, declared(answer, [" and ".join(rest)], {}), domain, {}).share == 1
+        assert (
+            judge_conditions(reference, answer.declared([" and ".join(rest)], {}), domain, {}).share
+            == 1
+        )
 
 
 def test_nothing_warns_where_a_condition_has_poles_or_no_value():
@@ -232,10 +232,16 @@ def test_starts_at_which_a_function_is_infinite_are_left_out():
 def test_a_reference_may_be_texts_expressions_or_tuples_of_them():
     sine, slide = parse("sin(q2)", NAMES), parse("q3", NAMES)
     joint = AllOf((sine, slide))
-    for value in (["sin(q2) = 0 and q3 = 0"], "sin(q2) and q3", [("sin(q2)", "q3 = 0")], [[sine, slide]], [joint]):
-        assert declared(conditions(), value, V) == (joint,)
-    assert declared(conditions(), ["sin(q2)", slide, ("q3",)], V) == (sine, slide, slide)
-    assert declared(conditions(), ["q3 = 0 or sin(q2) = 0"], V) == (slide, sine)
+    for value in (
+        ["sin(q2) = 0 and q3 = 0"],
+        "sin(q2) and q3",
+        [("sin(q2)", "q3 = 0")],
+        [[sine, slide]],
+        [joint],
+    ):
+        assert conditions().declared(value, V) == (joint,)
+    assert conditions().declared(["sin(q2)", slide, ("q3",)], V) == (sine, slide, slide)
+    assert conditions().declared(["q3 = 0 or sin(q2) = 0"], V) == (slide, sine)
 
 
 @pytest.mark.parametrize(
@@ -258,31 +264,40 @@ def test_a_reference_that_is_no_condition_is_an_error_of_the_exercise(value, wor
 
 
 def test_a_condition_is_printed_as_it_is_read():
-    (joint, single) = declared(conditions(), TWO, V)
+    (joint, single) = conditions().declared(TWO, V)
     assert condition_text(joint) == "sin(q2) = 0 and sin(q3) = 0"
     assert condition_text(single) == "q4 = 0"
     part = Part("t_x", "x?", 1, conditions(), lambda *_: TWO)
     code = answer_code(part, (joint, single))
     assert code == "t_x = [\n    'sin(q2) = 0 and sin(q3) = 0',\n    'q4 = 0',\n]"
-    (verdict,) = mark(exercise_of(part, draw=lambda _: V), V, {"t_x": Raw("text", ["q4 = 0 or s2 and s3"])})
+    (verdict,) = mark(
+        exercise_of(part, draw=lambda _: V), V, {"t_x": Raw("text", ["q4 = 0 or s2 and s3"])}
+    )
     assert verdict.status == "failed"  # where one equation has two sides, all take two
-    (verdict,) = mark(exercise_of(part, draw=lambda _: V), V, {"t_x": Raw("text", ["q4 = 0 or s2 = 0 and s3 = 0"])})
-    assert (verdict.status, verdict.answer) == ("correct", ["q4 = 0", "sin(q2) = 0 and sin(q3) = 0"])
+    (verdict,) = mark(
+        exercise_of(part, draw=lambda _: V),
+        V,
+        {"t_x": Raw("text", ["q4 = 0 or s2 = 0 and s3 = 0"])},
+    )
+    assert (verdict.status, verdict.answer) == (
+        "correct",
+        ["q4 = 0", "sin(q2) = 0 and sin(q3) = 0"],
+    )
     assert verdict.right == [True, True]
 
 
 def test_sympy_prints_a_condition_as_equations_with_a_wedge():
     import sympy
 
-    joint, single = declared(conditions(), TWO, V)
+    joint, single = conditions().declared(TWO, V)
     assert sympy.latex(condition_sympy(joint)).count("= 0") == 2
     assert r"\wedge" in sympy.latex(condition_sympy(joint))
     assert sympy.latex(condition_sympy(single)) == "q_{4} = 0"
 
 
 def test_the_record_tells_a_joint_condition_from_two():
-    together, apart = (declared(conditions(), value, V) for value in (["q2 and q3"], ["q2", "q3"]))
-    one, two = (np.array(pictured(conditions(), value, V)) for value in (together, apart))
+    together, apart = (conditions().declared(value, V) for value in (["q2 and q3"], ["q2", "q3"]))
+    one, two = (np.array(conditions().pictured(value, V)) for value in (together, apart))
     assert (one.shape, two.shape) == ((3, 3), (2, 3))
     np.testing.assert_array_equal(one[1:], two)
 

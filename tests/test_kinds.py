@@ -17,8 +17,8 @@ from kinegrade.exercises.exercise import (
     references,
 )
 from kinegrade.exercises.properties import list_share
-from kinegrade.grader.mark import mark
-from kinegrade.grader.wire import Raw
+from kinegrade.grader.collecting.wire import Raw
+from kinegrade.grader.marking.mark import mark
 from sympy import Abs, Symbol, sin
 
 V = {"l1": 0.8, "l2": 0.5, "q": [0.4, 0.9]}
@@ -32,7 +32,13 @@ J = [
 
 def verdict(part, raw, v=V):
     exercise = exercise_of(part, draw=lambda rng: {**V, "l1": float(rng.uniform(0.4, 1.2))})
-    raw = raw if isinstance(raw, Raw) else Raw("text", raw) if isinstance(raw, str | list) else Raw("num", raw)
+    raw = (
+        raw
+        if isinstance(raw, Raw)
+        else Raw("text", raw)
+        if isinstance(raw, str | list)
+        else Raw("num", raw)
+    )
     (found,) = mark(exercise, v, {part.variable: raw})
     return found
 
@@ -50,11 +56,19 @@ def formulas(shape=(3, 2), reference=J, **more):
     [
         J,
         [["-l1*s1 - l2*s12", "-l2*s12"], ["l1*c1 + l2*c12", "l2*c12"], ["1", "1"]],
-        [["-(l1*s1 + l2*s12)", "-l2*sin(th1 + th2)"], ["c1*l1 + l2*c12", "l2*(c1*c2 - s1*s2)"], ["1", "s2^2 + c2^2"]],
+        [
+            ["-(l1*s1 + l2*s12)", "-l2*sin(th1 + th2)"],
+            ["c1*l1 + l2*c12", "l2*(c1*c2 - s1*s2)"],
+            ["1", "s2^2 + c2^2"],
+        ],
         "[[-l1*s1 - l2*s12, -l2*s12], [l1*c1 + l2*c12, l2*c12], [1, 1]]",
         "Matrix([[-l1*s1 - l2*sin(q1 + q2), -l2*sin(q1 + q2)], [l1*cos(q1) + l2*cos(q1 + q2), l2*c12], [1, 1]])",
         "[-l1*s1 - l2*s12, -l2*s12; l1*c1 + l2*c12, l2*c12; 1, 1]",
-        [["-L1*np.sin(θ₁) − L2·sin(θ1+θ2)", "-l_2*sin(q_1 + q_2)"], ["l1*c1 + l2*c12", "l2*c12"], ["1.0", "1"]],
+        [
+            ["-L1*np.sin(θ₁) − L2·sin(θ1+θ2)", "-l_2*sin(q_1 + q_2)"],
+            ["l1*c1 + l2*c12", "l2*c12"],
+            ["1.0", "1"],
+        ],
     ],
 )
 def test_formulas_are_right_in_any_wording(text):
@@ -62,7 +76,9 @@ def test_formulas_are_right_in_any_wording(text):
     assert (found.status, found.points) == ("correct", 4)
 
 
-MANIPULABILITY = Abs(Symbol("l1", real=True) * Symbol("l2", real=True) * sin(Symbol("q2", real=True)))
+MANIPULABILITY = Abs(
+    Symbol("l1", real=True) * Symbol("l2", real=True) * sin(Symbol("q2", real=True))
+)
 
 
 @pytest.mark.parametrize("reference", ["abs(l1*l2*sin(q2))", "Abs(l1*l2*sin(q2))", MANIPULABILITY])
@@ -112,7 +128,10 @@ def test_formulas_with_the_own_numbers_put_in_are_named_and_earn_nothing_for_it(
     numbers = [["-0.8*s1 - 0.5*s12", "-0.5*s12"], ["0.8*c1 + 0.5*c12", "0.5*c12"], ["1", "1"]]
     found = verdict(formulas(), numbers)
     assert found.points == 0
-    assert "With your numbers put in it is right, but formulas are asked: they take l1, l2." in said(found)
+    assert (
+        "With your numbers put in it is right, but formulas are asked: they take l1, l2."
+        in said(found)
+    )
     values = np.array([[-0.794, -0.482], [0.871, 0.134], [1, 1]])
     assert "they take l1, l2, q1, q2" in said(verdict(formulas(), values))
 
@@ -123,7 +142,10 @@ def test_formulas_with_the_own_numbers_put_in_are_named_and_earn_nothing_for_it(
         ([["-l1*s1", "-l2*s12"]], "takes shape (3, 2), got (1, 2)"),
         ([["a", "b"], ["c"]], "rows of different lengths"),
         ([["l1*s1 +", "0"], ["0", "0"], ["0", "0"]], "row 1, column 1: "),
-        ([["l1 s1", "0"], ["0", "0"], ["0", "0"]], "row 1, column 1: a sign such as * is missing before 's1'"),
+        (
+            [["l1 s1", "0"], ["0", "0"], ["0", "0"]],
+            "row 1, column 1: a sign such as * is missing before 's1'",
+        ),
         ("eval('1')", "has no meaning"),
         (Raw("num", np.full((3, 2), np.nan)), "not finite"),
     ],
@@ -147,8 +169,14 @@ def test_a_transposed_matrix_of_formulas_is_named():
 
 
 def test_a_known_mistake_in_formulas_is_named():
-    absolute = [["-l1*sin(q1) - l2*sin(q2)", "-l2*sin(q2)"], ["l1*cos(q1) + l2*cos(q2)", "l2*cos(q2)"], ["1", "1"]]
-    part = formulas(mistakes=(Mistake("The second angle is measured from link 1.", lambda *_: absolute),))
+    absolute = [
+        ["-l1*sin(q1) - l2*sin(q2)", "-l2*sin(q2)"],
+        ["l1*cos(q1) + l2*cos(q2)", "l2*cos(q2)"],
+        ["1", "1"],
+    ]
+    part = formulas(
+        mistakes=(Mistake("The second angle is measured from link 1.", lambda *_: absolute),)
+    )
     found = verdict(part, [["-l1*s1 - l2*s2", "-l2*s2"], ["l1*c1 + l2*c2", "l2*c2"], ["1", "1"]])
     assert "The second angle is measured from link 1." in said(found)
 
@@ -216,10 +244,22 @@ TORQUES = Part(
     ("raw", "status", "words"),
     [
         (["10 N", "2.6 N", "-0.00648 kN", "3.52 Nm", "15.68 N*m", "-6160 N mm"], "correct", ""),
-        (["10 N m", "2.6", "-6.48", "3.52", "15.68", "-6.16"], "failed", "entry 1: takes a value in N, got 10 N m"),
+        (
+            ["10 N m", "2.6", "-6.48", "3.52", "15.68", "-6.16"],
+            "failed",
+            "entry 1: takes a value in N, got 10 N m",
+        ),
         (["10", "2.6", "-6.48", "3.52 J", "15.68", "-6.16"], "correct", ""),
-        (["10", "2.6", "-6.48", "3.52 m", "15.68", "-6.16"], "failed", "entry 4: takes a value in N m, got 3.52 m"),
-        (np.array([10, 2.6, -6.48, 3520, 15680, -6160]), "incorrect", "1000 times too large: N m are asked, not N mm"),
+        (
+            ["10", "2.6", "-6.48", "3.52 m", "15.68", "-6.16"],
+            "failed",
+            "entry 4: takes a value in N m, got 3.52 m",
+        ),
+        (
+            np.array([10, 2.6, -6.48, 3520, 15680, -6160]),
+            "incorrect",
+            "1000 times too large: N m are asked, not N mm",
+        ),
     ],
 )
 def test_forces_and_moments_are_read_with_their_units(raw, status, words):
@@ -230,8 +270,12 @@ def test_forces_and_moments_are_read_with_their_units(raw, status, words):
 
 def test_a_torque_in_newton_millimetres_is_named_and_not_taken_for_a_length():
     value = 0.8 * np.array([12.5, -8.1])
-    assert "Moments are 1000 times too large: N m are asked, not N mm." in said(verdict(TORQUES, 1000 * value))
-    assert "Moments are 100 times too large: N m are asked, not N cm." in said(verdict(TORQUES, 100 * value))
+    assert "Moments are 1000 times too large: N m are asked, not N mm." in said(
+        verdict(TORQUES, 1000 * value)
+    )
+    assert "Moments are 100 times too large: N m are asked, not N cm." in said(
+        verdict(TORQUES, 100 * value)
+    )
 
 
 @pytest.mark.parametrize(
@@ -247,12 +291,16 @@ def test_a_torque_in_newton_millimetres_is_named_and_not_taken_for_a_length():
     ],
 )
 def test_other_units_are_named_where_they_stand_above_the_line(unit, factor, words):
-    part = Part("t_x", "x?", 2, Numbers((3,), unit), lambda v, _: v["l1"] * np.array([1.5, 2.5, 3.7]))
+    part = Part(
+        "t_x", "x?", 2, Numbers((3,), unit), lambda v, _: v["l1"] * np.array([1.5, 2.5, 3.7])
+    )
     found = said(verdict(part, factor * 0.8 * np.array([1.5, 2.5, 3.7])))
     assert words in found if words else not found
 
 
-@pytest.mark.parametrize(("unit", "typed"), [("mm", ["350 mm", "0.1 m"]), ("deg", ["20 deg", "pi/9 rad"])])
+@pytest.mark.parametrize(
+    ("unit", "typed"), [("mm", ["350 mm", "0.1 m"]), ("deg", ["20 deg", "pi/9 rad"])]
+)
 def test_a_typed_unit_is_brought_to_the_asked_one(unit, typed):
     values = {"mm": [350.0, 100.0], "deg": [20.0, 20.0]}[unit]
     part = Part("t_x", "x?", 2, Numbers((2,), unit, decimals=2), lambda *_: np.array(values))
@@ -266,8 +314,18 @@ def test_degrees_are_named():
 
 
 def test_numbers_may_be_typed_as_formulas_without_names():
-    part = Part("t_x", "x?", 2, Numbers((2, 2), decimals=3), lambda *_: np.array([[0.5, np.sqrt(3) / 2], [0, -2]]))
-    for typed in ([["1/2", "sqrt(3)/2"], ["0", "-2"]], "[[1/2, sqrt(3)/2], [0, -2]]", "[1/2, √3/2; 0, −2]"):
+    part = Part(
+        "t_x",
+        "x?",
+        2,
+        Numbers((2, 2), decimals=3),
+        lambda *_: np.array([[0.5, np.sqrt(3) / 2], [0, -2]]),
+    )
+    for typed in (
+        [["1/2", "sqrt(3)/2"], ["0", "-2"]],
+        "[[1/2, sqrt(3)/2], [0, -2]]",
+        "[1/2, √3/2; 0, −2]",
+    ):
         assert verdict(part, typed).points == 2
 
 
@@ -310,7 +368,11 @@ def double(x):
 
 CALLS = {"small": [([1.0, 2.0],), ([0.5, 0.1],)], "large": [([100.0, 3.0],)]}
 FUNCTION = Part(
-    "t_x", "x?", 4, Function("(x)", lambda _: CALLS, published=lambda _: {"yours": [([5.0, 6.0],)]}), lambda *_: double
+    "t_x",
+    "x?",
+    4,
+    Function("(x)", lambda _: CALLS, published=lambda _: {"yours": [([5.0, 6.0],)]}),
+    lambda *_: double,
 )
 
 
@@ -329,7 +391,11 @@ def results(*values, listed=False):
             "large: 0 of 1 right; the first that is not differs in 1 of 2 entries",
         ),
         (results([2, 4], [1, 0.3], [200, 6]), 2, "small: 1 of 2 right"),
-        (results([2, 4], [1, 0.2], Raw("error", "stopped with IndexError: 3")), 2, "gave: stopped with IndexError: 3"),
+        (
+            results([2, 4], [1, 0.2], Raw("error", "stopped with IndexError: 3")),
+            2,
+            "gave: stopped with IndexError: 3",
+        ),
         (results([[2, 4]], [1, 0.2], [200, 6]), 2, "has shape (1, 2), (2,) is asked"),
         (results([2, 4], [1, 0.2]), 2, "no result"),
         (results([2, 4], [1, np.nan], [200, 6]), 2, "NaN"),
@@ -351,7 +417,10 @@ def test_text_in_place_of_a_function_is_refused():
 def test_what_is_marked_by_hand_waits():
     by_hand = Part("t_x", "x?", 2, Manual(((2, "all"),)), lambda *_: "key")
     on_paper = Part("t_x", "x?", 2, Manual(((2, "all"),), on_paper=True), lambda *_: "key")
-    assert (verdict(by_hand, "because").status, verdict(by_hand, "because").answer) == ("not_graded", "because")
+    assert (verdict(by_hand, "because").status, verdict(by_hand, "because").answer) == (
+        "not_graded",
+        "because",
+    )
     assert verdict(by_hand, Raw("missing")).status == "missing"
     assert verdict(on_paper, Raw("missing")).status == "not_graded"
     assert verdict(by_hand, np.zeros(3)).status == "failed"
@@ -396,11 +465,15 @@ def test_numbers_follow_from_the_own_formulas():
         lambda v, given: given["t_x"].at({"l1": v["l1"], "l2": v["l2"], "q1": v["q"][0], "q2": v["q"][1]}),
         needs=("t_x",),
     )  # fmt: skip
-    exercise = exercise_of(first, second, draw=lambda rng: {**V, "l1": float(rng.uniform(0.4, 1.2))})
+    exercise = exercise_of(
+        first, second, draw=lambda rng: {**V, "l1": float(rng.uniform(0.4, 1.2))}
+    )
     rows = [list(row) for row in J]
     rows[0][0] = "l1*sin(q1) + l2*sin(q1 + q2)"
     own = references(exercise, V)["t_J"] * [[-1, 1], [1, 1], [1, 1]]
-    first_verdict, second_verdict = mark(exercise, V, {"t_x": Raw("text", rows), "t_J": Raw("num", own)})
+    first_verdict, second_verdict = mark(
+        exercise, V, {"t_x": Raw("text", rows), "t_J": Raw("num", own)}
+    )
     assert (first_verdict.points, second_verdict.points) == (3, 4)
     assert "follows from your own t_x" in said(second_verdict)
 
@@ -432,10 +505,23 @@ def test_a_long_argument_is_refused():
 
 def test_what_agrees_in_few_entries_is_not_followed():
     """Answers that are less than half right are no ground for what is computed from them."""
-    first = Part("t_x", "x?", 2, Numbers((4,), decimals=3), lambda v, _: v["l1"] * np.array([1.1, 2.3, 3.7, 4.9]))
-    second = Part("t_y", "y?", 2, Numbers((4,), decimals=3), lambda _, given: given["t_x"] * 3, needs=("t_x",))
-    exercise = exercise_of(first, second, draw=lambda rng: {**V, "l1": float(rng.uniform(0.4, 1.2))})
+    first = Part(
+        "t_x",
+        "x?",
+        2,
+        Numbers((4,), decimals=3),
+        lambda v, _: v["l1"] * np.array([1.1, 2.3, 3.7, 4.9]),
+    )
+    second = Part(
+        "t_y", "y?", 2, Numbers((4,), decimals=3), lambda _, given: given["t_x"] * 3, needs=("t_x",)
+    )
+    exercise = exercise_of(
+        first, second, draw=lambda rng: {**V, "l1": float(rng.uniform(0.4, 1.2))}
+    )
     own = references(exercise, V)["t_x"] + [0, 0.31, 0.17, 0.23]
-    for wrong, points in ((own, 0), (own * [1, 1, 0, 0] + references(exercise, V)["t_x"] * [0, 0, 1, 1], 2)):
+    for wrong, points in (
+        (own, 0),
+        (own * [1, 1, 0, 0] + references(exercise, V)["t_x"] * [0, 0, 1, 1], 2),
+    ):
         found = mark(exercise, V, {"t_x": Raw("num", wrong), "t_y": Raw("num", 3 * wrong)})
         assert found[1].points == pytest.approx(points, abs=0.6), found

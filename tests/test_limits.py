@@ -14,7 +14,10 @@ RRT = ROBOTS["rrt_spherical"]
 
 def test_the_joints_outside_are_named_with_their_limits_and_values():
     found = RRT.outside([0.0, math.radians(130), 1.25])
-    assert [str(joint) for joint in found] == ["q2 takes -120° to 120°, got 130°", "q3 takes 0.2 m to 1 m, got 1.25 m"]
+    assert [str(joint) for joint in found] == [
+        "q2 takes -120° to 120°, got 130°",
+        "q3 takes 0.2 m to 1 m, got 1.25 m",
+    ]
     assert [joint.joint for joint in found] == [2, 3]
 
 
@@ -25,7 +28,9 @@ def test_limits_themselves_are_within_and_a_little_more_is_not(robot):
     assert not robot.outside((low + high) / 2)
     assert not robot.outside(np.radians(np.degrees(high)))  # rounding
     assert [joint.joint for joint in robot.outside(high + 1e-6)] == list(range(1, robot.n + 1))
-    assert all(str(joint).startswith(f"q{joint.joint} takes ") for joint in robot.outside(low - 1e-6))
+    assert all(
+        str(joint).startswith(f"q{joint.joint} takes ") for joint in robot.outside(low - 1e-6)
+    )
 
 
 def test_a_whole_turn_more_is_outside():
@@ -34,7 +39,11 @@ def test_a_whole_turn_more_is_outside():
 
 def test_a_batch_is_told_joint_by_joint():
     q = [[0.0, 0.5, 1e300], [4.0, 0.5, 0.0], [0.0, 0.1, 0.0]]
-    assert are_outside(LIMITS, q).tolist() == [[False, False, False], [True, False, False], [False, True, False]]
+    assert are_outside(LIMITS, q).tolist() == [
+        [False, False, False],
+        [True, False, False],
+        [False, True, False],
+    ]
     assert are_outside(LIMITS, np.zeros((0, 4, 3))).shape == (0, 4, 3)
 
 

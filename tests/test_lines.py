@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from kinegrade.solutions.lines import chained
+from kinegrade.solutions.sections.lines import chained
 
 TURN = np.linspace(0, 2 * np.pi, 101)
 CIRCLE = np.column_stack([np.cos(TURN), np.sin(TURN)])
@@ -19,7 +19,9 @@ def test_nothing_is_no_line():
 
 @pytest.mark.parametrize("order", [(1, 1), (1, -1), (-1, 1), (-1, -1)])
 def test_two_halves_become_one_line_however_they_run(order):
-    first, second = (piece[::way] for piece, way in zip((STRAIGHT[:6], STRAIGHT[6:]), order, strict=True))
+    first, second = (
+        piece[::way] for piece, way in zip((STRAIGHT[:6], STRAIGHT[6:]), order, strict=True)
+    )
     (row,) = chained([first, second], [True, True], 0.15, 0.01)
     line = np.concatenate([(first, second)[end // 2][:: -1 if end % 2 else 1] for end in row])
     assert np.abs(np.diff(line[:, 0])) == pytest.approx(0.1)

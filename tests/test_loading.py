@@ -4,15 +4,17 @@ import sys
 import threading
 
 import pytest
-from kinegrade.exercises.catalogue import content_hash, exercise_files, find, load
 from kinegrade.exercises.exercise import ExerciseError
-from kinegrade.exercises.loading import _package_of, stopped
-from kinegrade.exercises.neighbours import HOME
+from kinegrade.exercises.files.finding import content_hash, exercise_files, find, load
+from kinegrade.exercises.files.loading import _package_of, stopped
+from kinegrade.exercises.files.neighbours import HOME
 from test_catalogue import GOOD
 
 REACH = (
     GOOD.replace("own", "reach")
-    .replace("import numpy as np\n", "import numpy as np\nfrom arms import planar, scale as factor\n")
+    .replace(
+        "import numpy as np\n", "import numpy as np\nfrom arms import planar, scale as factor\n"
+    )
     .replace('np.array([v["a"] ** 2])', "planar(v)")
 )
 ARMS = """
@@ -42,11 +44,17 @@ def test_a_module_beside_the_exercise_is_imported_as_an_editor_would(tmp_path):
     assert answer(path) == 2
     assert [*exercise_files(tmp_path)] == [*exercise_files(), "reach"]
     assert "arms" not in sys.modules
-    assert [one.name for one in sorted(tmp_path.iterdir())] == ["arms.py", "reach.py"]  # no compiled files beside them
+    assert [one.name for one in sorted(tmp_path.iterdir())] == [
+        "arms.py",
+        "reach.py",
+    ]  # no compiled files beside them
 
 
 def test_modules_of_the_same_name_in_two_courses_never_meet(tmp_path):
-    one, two = course(tmp_path / "one"), course(tmp_path / "two", arms=ARMS.replace("scale = 2", "scale = 3"))
+    one, two = (
+        course(tmp_path / "one"),
+        course(tmp_path / "two", arms=ARMS.replace("scale = 2", "scale = 3")),
+    )
     assert (answer(one), answer(two), answer(one)) == (2, 3, 2)
     alike = course(tmp_path / "three")
     assert load(alike) is not load(one)  # it may read a file beside it
@@ -56,7 +64,9 @@ def test_a_changed_module_is_loaded_again_and_moves_the_hash(tmp_path):
     path = course(tmp_path)
     first, before = load(path), content_hash(path)
     assert load(path) is first
-    course(tmp_path, arms=ARMS.replace("scale = 2", "scale = 5"))  # as long as before, and in the same second
+    course(
+        tmp_path, arms=ARMS.replace("scale = 2", "scale = 5")
+    )  # as long as before, and in the same second
     assert answer(path) == 5
     assert content_hash(path) != before
     course(tmp_path)
@@ -150,13 +160,17 @@ def test_a_file_that_cannot_be_used_says_why_and_in_which_line(tmp_path, reach, 
 def test_a_file_that_defines_no_exercise_is_named_where_a_sheet_asks_for_it(tmp_path):
     path = course(tmp_path)
     with pytest.raises(
-        ExerciseError, match=r"arms.py defines no exercise: an exercise file takes a top-level EXERCISE"
+        ExerciseError,
+        match=r"arms.py defines no exercise: an exercise file takes a top-level EXERCISE",
     ):
         find("arms", exercise_files(tmp_path), path.parent)
 
 
 def test_an_exception_is_one_line_with_its_place(tmp_path):
-    path = course(tmp_path, arms=ARMS.replace("return", 'raise ValueError("two\\nlines" + 500 * "x")\n    return'))
+    path = course(
+        tmp_path,
+        arms=ARMS.replace("return", 'raise ValueError("two\\nlines" + 500 * "x")\n    return'),
+    )
     with pytest.raises(ValueError, match="two") as caught:
         answer(path)
     said = stopped(caught.value)

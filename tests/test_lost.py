@@ -2,7 +2,14 @@
 
 import numpy as np
 import pytest
-from kinegrade.exercises.lost import STILL, judged_lost, left_over, lost_direction, still_rates, weakest
+from kinegrade.exercises.calculations.lost import (
+    STILL,
+    judged_lost,
+    left_over,
+    lost_direction,
+    still_rates,
+    weakest,
+)
 from kinegrade.solutions.jacobian import jacobian
 from kinegrade.solutions.robots import ROBOTS
 

@@ -10,8 +10,8 @@ from functools import cache
 
 import numpy as np
 import pytest
-from kinegrade.grader import maps
-from kinegrade.grader.maps import FigureError, describe, figure, joint_map, save
+from kinegrade.grader.figures import maps
+from kinegrade.grader.figures.maps import FigureError, describe, figure, joint_map, save
 from kinegrade.solutions import workspace
 from kinegrade.solutions.robots import ROBOTS, Factor, Robot
 from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -23,7 +23,12 @@ SCARA = Robot(
     name="scara",
     title="SCARA",
     parameters={"a1": 0.325, "a2": 0.275},
-    rows=(("q1", "0", "a1", "0"), ("q2", "0", "a2", "pi"), ("0", "q3", "0", "0"), ("q4", "0.05", "0", "0")),
+    rows=(
+        ("q1", "0", "a1", "0"),
+        ("q2", "0", "a2", "pi"),
+        ("0", "q3", "0", "0"),
+        ("q4", "0.05", "0", "0"),
+    ),
     limits=(TURN, (-2.5, 2.5), (0.0, 0.2), TURN),
     source="chosen here",
     task_rows=(0, 1, 2, 5),
@@ -55,7 +60,9 @@ def ready(monkeypatch):
 @pytest.mark.parametrize("name", ROBOTS)
 def test_every_robot_has_its_panels_and_names_its_factors(name):
     picture = drawn(name)
-    assert len(picture.axes) == (2 if mapped(name).det is None else 3)  # seven joints have no determinant
+    assert len(picture.axes) == (
+        2 if mapped(name).det is None else 3
+    )  # seven joints have no determinant
     legends = _texts(picture).replace("\n", " ")
     for curve, _ in mapped(name).curves:
         assert re.sub(r"\|([a-z])(\d)\|", r"$|\1_\2|$", curve) in legends
@@ -95,7 +102,9 @@ def test_the_title_prints_the_determinant(name, formula):
 
 
 @pytest.mark.usefixtures("coarse")
-@pytest.mark.parametrize("change", [{"constant": "2*l1*l2"}, {"factors": (Factor("elbow", "sin(q2)^2"),)}])
+@pytest.mark.parametrize(
+    "change", [{"constant": "2*l1*l2"}, {"factors": (Factor("elbow", "sin(q2)^2"),)}]
+)
 def test_a_determinant_that_is_not_the_stated_product_has_no_formula(change):
     assert r"\det\mathbf{A}=l" not in _texts(figure(replace(ROBOTS["planar_2r"], **change)))
 
@@ -132,7 +141,9 @@ def test_the_map_is_dark_on_the_named_curves_and_nowhere_else(name):
             near[np.clip(row + a, 0, 180), np.clip(column + b, 0, 180)] = True
     top = found.sigma.max()
     assert found.sigma[row, column].max() < 0.08 * top
-    steep = any(factor.power > 1 for factor in found.part.factors)  # where q3^2 meets s2, sigma is of third order
+    steep = any(
+        factor.power > 1 for factor in found.part.factors
+    )  # where q3^2 meets s2, sigma is of third order
     assert found.sigma[~near].min() > (5e-5 if steep else 3e-4) * top
 
 
@@ -155,20 +166,34 @@ def test_no_description_has_an_empty_pair_of_brackets_or_a_nan(name):
 
 
 @pytest.mark.usefixtures("coarse")
-@pytest.mark.parametrize("robot", [SCARA, replace(ROBOTS["planar_2r"], factors=())], ids=["scara", "planar_2r"])
+@pytest.mark.parametrize(
+    "robot", [SCARA, replace(ROBOTS["planar_2r"], factors=())], ids=["scara", "planar_2r"]
+)
 def test_a_robot_without_factors_still_has_a_map(robot):
     assert len(figure(robot).axes) == 3
     assert "at most" in describe(robot)
 
 
 def test_a_robot_of_one_joint_is_refused_with_a_sentence():
-    single = Robot("pendulum", "pendulum", {"l": 1.0}, (("q1", "0", "l", "0"),), (TURN,), "chosen here", task_rows=(0,))
+    single = Robot(
+        "pendulum",
+        "pendulum",
+        {"l": 1.0},
+        (("q1", "0", "l", "0"),),
+        (TURN,),
+        "chosen here",
+        task_rows=(0,),
+    )
     with pytest.raises(FigureError, match="two joints or more, got pendulum with 1"):
         figure(single)
 
 
-@pytest.mark.parametrize(("suffix", "start"), [("png", b"\x89PNG"), ("svg", b"<?xml"), ("pdf", b"%PDF")])
-def test_saving_twice_gives_the_same_bytes_and_leaves_nothing_else(tmp_path, monkeypatch, suffix, start):
+@pytest.mark.parametrize(
+    ("suffix", "start"), [("png", b"\x89PNG"), ("svg", b"<?xml"), ("pdf", b"%PDF")]
+)
+def test_saving_twice_gives_the_same_bytes_and_leaves_nothing_else(
+    tmp_path, monkeypatch, suffix, start
+):
     for name, draw, day in (("one", drawn, 1), ("two", drawn_again, 2)):
         monkeypatch.setenv("SOURCE_DATE_EPOCH", str(86_400 * day))
         monkeypatch.setattr(maps, "figure", lambda robot, _parameters, draw=draw: draw(robot.name))
@@ -209,7 +234,7 @@ def test_another_suffix_is_refused_with_a_sentence(tmp_path):
 def test_figures_leave_the_style_of_others_alone_and_pyplot_unloaded():
     code = (
         "import sys, matplotlib; before = matplotlib.rcParams.copy();"
-        "from kinegrade.grader import maps; from kinegrade.solutions import workspace;"
+        "from kinegrade.grader.figures import maps; from kinegrade.solutions import workspace;"
         "from kinegrade.solutions.robots import ROBOTS; maps.SAMPLES = workspace.SAMPLES = 41;"
         "maps.figure(ROBOTS['planar_2r']); assert not {'matplotlib.pyplot', 'sympy'} & set(sys.modules);"
         "assert all(matplotlib.rcParams[k] == before[k] for k in before if k != 'backend')"

@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 from answers import EXERCISES, part_of, raws, raws_of, right_raws, telling, variant_of, wrong
 from kinegrade.exercises.exercise import Manual, references
-from kinegrade.grader.answer_key import AnswerKey
-from kinegrade.grader.mark import mark
-from kinegrade.grader.verdict import Verdict
-from kinegrade.grader.wire import Raw
+from kinegrade.grader.collecting.wire import Raw
+from kinegrade.grader.marking.answer_key import AnswerKey
+from kinegrade.grader.marking.mark import mark
+from kinegrade.grader.marking.verdict import Verdict
 
 SEEDS = range(4)
 
@@ -18,7 +18,10 @@ SEEDS = range(4)
 def verdicts_of(slug, changes, seed=0, others=None):
     exercise, v = EXERCISES[slug], variant_of(slug, seed)
     answers = references(exercise, v)
-    changed = {name: change(answers[name]) if callable(change) else change for name, change in changes.items()}
+    changed = {
+        name: change(answers[name]) if callable(change) else change
+        for name, change in changes.items()
+    }
     found = mark(exercise, v, raws_of(exercise, v, answers | changed), others)
     return {verdict.part: verdict for verdict in found}
 
@@ -51,14 +54,34 @@ def flip(i, j):
         ("puma_velocities", "puma_velocities_J", np.transpose, "transposed"),
         ("puma_velocities", "puma_velocities_J", swap_blocks, "angular rows seem to stand above"),
         ("puma_velocities", "puma_velocities_J", np.negative, "Every sign is reversed"),
-        ("puma_velocities", "puma_velocities_J", flip(0, 1), "Only a sign is wrong: row 1, column 2"),
-        ("puma_velocities", "puma_velocities_J", lambda J: np.round(J, 2), "fewer decimals; 4 are asked"),
-        ("puma_velocities", "puma_velocities_J", lambda J: J[:, ::-1], "columns stand in reverse order"),
+        (
+            "puma_velocities",
+            "puma_velocities_J",
+            flip(0, 1),
+            "Only a sign is wrong: row 1, column 2",
+        ),
+        (
+            "puma_velocities",
+            "puma_velocities_J",
+            lambda J: np.round(J, 2),
+            "fewer decimals; 4 are asked",
+        ),
+        (
+            "puma_velocities",
+            "puma_velocities_J",
+            lambda J: J[:, ::-1],
+            "columns stand in reverse order",
+        ),
         ("three_axis", "three_axis_J", swap_blocks, "angular rows seem to stand above"),
         ("three_axis", "three_axis_p", lambda p: 1000 * p, "metres are asked, not millimetres"),
         ("rrt", "rrt_J", swap_blocks, "angular rows seem to stand above"),
         ("rrt", "rrt_T", lambda T: np.swapaxes(T, 1, 2), "transposed"),
-        ("puma_velocities", "puma_velocities_J", in_millimetres, "metres are asked, not millimetres"),
+        (
+            "puma_velocities",
+            "puma_velocities_J",
+            in_millimetres,
+            "metres are asked, not millimetres",
+        ),
     ],
 )
 def test_a_known_mistake_is_named(slug, name, change, words, seed):
@@ -97,7 +120,9 @@ def test_rates_and_twist_are_judged_from_the_students_own_jacobian():
     assert "follows from your own puma_velocities_J" in text_of(verdicts["puma_velocities_qdot"])
 
 
-@pytest.mark.parametrize("J", [np.eye(6), np.zeros((6, 6)), np.ones((6, 6)), np.diag([1, 1, 1, 0, 0, 0.0])])
+@pytest.mark.parametrize(
+    "J", [np.eye(6), np.zeros((6, 6)), np.ones((6, 6)), np.diag([1, 1, 1, 0, 0, 0.0])]
+)
 def test_rates_from_a_trivial_jacobian_earn_nothing(J):
     exercise, v = EXERCISES["puma_velocities"], variant_of("puma_velocities")
     target = [v["vx_c"], 0, 0, 0, 0, 0]
@@ -128,7 +153,9 @@ def test_data_of_another_student_are_not_followed_through():
 
 def test_a_joint_axis_that_many_share_tells_nobody_whose_it_is():
     z = -references(EXERCISES["three_axis"], variant_of("three_axis"))["three_axis_z"]
-    verdict = verdicts_of("three_axis", {"three_axis_z": z}, others={"neighbour": {"three_axis_z": z.tolist()}})
+    verdict = verdicts_of(
+        "three_axis", {"three_axis_z": z}, others={"neighbour": {"three_axis_z": z.tolist()}}
+    )
     assert not any(finding.private for finding in verdict["three_axis_z"].findings)
 
 
@@ -149,7 +176,10 @@ def test_numbers_made_up_are_not_followed_through(seed):
     rng = np.random.default_rng(seed)
     for slug in ("rrt", "puma_velocities", "three_axis"):
         exercise, v = EXERCISES[slug], variant_of(slug, seed)
-        made_up = {part.variable: rng.uniform(-1, 1, getattr(part.answer, "shape", (3, 4))) for part in exercise.parts}
+        made_up = {
+            part.variable: rng.uniform(-1, 1, getattr(part.answer, "shape", (3, 4)))
+            for part in exercise.parts
+        }
         for part in exercise.parts[1:]:
             given = {name: made_up[name] for name in part.needs}
             if part.needs and slug != "rrt":
@@ -167,7 +197,9 @@ def test_zeros_do_not_follow_from_tiny_numbers():
 
 
 def test_an_unreadable_answer_does_not_cost_the_later_parts():
-    verdicts = verdicts_of("three_axis", {"three_axis_p": Raw("error", "cell 3 stopped with NameError: q")})
+    verdicts = verdicts_of(
+        "three_axis", {"three_axis_p": Raw("error", "cell 3 stopped with NameError: q")}
+    )
     assert verdicts["three_axis_p"].status == "failed"
     assert text_of(verdicts["three_axis_p"]) == "In your file: cell 3 stopped with NameError: q."
     assert verdicts["three_axis_A"].status == verdicts["three_axis_J"].status == "correct"
@@ -185,7 +217,10 @@ def test_a_failure_of_ours_leaves_the_part_not_graded_and_the_others_marked():
         raise RuntimeError("a fault in the exercise file")
 
     name = "puma_velocities_qdot"
-    parts = [dataclasses.replace(part, check=broken) if part.variable == name else part for part in exercise.parts]
+    parts = [
+        dataclasses.replace(part, check=broken) if part.variable == name else part
+        for part in exercise.parts
+    ]
     verdicts = mark(dataclasses.replace(exercise, parts=tuple(parts)), v, right_raws(exercise, v))
     assert {verdict.part for verdict in verdicts if verdict.status == "correct"} == {
         part.variable for part in exercise.asked if part.variable != name
@@ -227,15 +262,23 @@ def test_every_mistake_that_an_exercise_knows_is_named(exercise):
             for mistake in part.mistakes:
                 own = raws_of(exercise, v, key.reference | {part.variable: mistake.solve(v, given)})
                 verdicts = {verdict.part: verdict for verdict in mark(exercise, v, own, key=key)}
-                said = text_of(verdicts[part.variable])  # on some draws two mistakes lead to the same
+                said = text_of(
+                    verdicts[part.variable]
+                )  # on some draws two mistakes lead to the same
                 assert any(known.sentence in said for known in part.mistakes), (part.variable, seed)
 
 
 def test_what_is_marked_by_hand_waits_with_its_text_and_earns_nothing_yet():
     exercise = EXERCISES["pseudoinverse"]
     (part,) = (part for part in exercise.asked if isinstance(part.answer, Manual))
-    waiting = verdicts_of("pseudoinverse", {part.variable: "My reason.\nAnd another."})[part.variable]
-    assert (waiting.status, waiting.points, waiting.answer) == ("not_graded", None, "My reason.\nAnd another.")
+    waiting = verdicts_of("pseudoinverse", {part.variable: "My reason.\nAnd another."})[
+        part.variable
+    ]
+    assert (waiting.status, waiting.points, waiting.answer) == (
+        "not_graded",
+        None,
+        "My reason.\nAnd another.",
+    )
     missing = verdicts_of("pseudoinverse", {part.variable: Raw("missing")})[part.variable]
     assert (missing.status, missing.points) == ("missing", 0)
 
@@ -244,7 +287,11 @@ def test_a_function_as_it_was_handed_out_is_not_answered():
     nothing = Raw("error", "call 1: not a matrix of numbers: None")
     verdict = verdicts_of("implement_it", {"implement_it_jacobian": Raw("calls", [nothing] * 12)})
     blank = verdict["implement_it_jacobian"]
-    assert (blank.status, blank.points, text_of(blank)) == ("missing", 0, "The function returns nothing.")
+    assert (blank.status, blank.points, text_of(blank)) == (
+        "missing",
+        0,
+        "The function returns nothing.",
+    )
 
 
 def test_rates_follow_from_a_jacobian_in_the_tool_frame():

@@ -18,11 +18,20 @@ def course(tmp_path, kinegrade):
     folder = make_course(tmp_path / "course")
     text = LEVER.replace("Exercise, Numbers, Part", "Exercise, Manual, Numbers, Part")
     before, _, after = text.rpartition("    ),\n    statement")
-    (folder / "exercises" / "lever.py").write_text(f"{before}{WHY}\n    statement{after}", encoding="utf-8")
+    (folder / "exercises" / "lever.py").write_text(
+        f"{before}{WHY}\n    statement{after}", encoding="utf-8"
+    )
     made = handed_out(folder)
     answers = right_answers(made, "ada")
-    hand_in(made, "ada", {k: x for k, x in answers.items() if hasattr(x, "tolist")} | {"lever_why": "The axis is z."})
-    hand_in(made, "ben", {k: x for k, x in right_answers(made, "ben").items() if hasattr(x, "tolist")})
+    hand_in(
+        made,
+        "ada",
+        {k: x for k, x in answers.items() if hasattr(x, "tolist")}
+        | {"lever_why": "The axis is z."},
+    )
+    hand_in(
+        made, "ben", {k: x for k, x in right_answers(made, "ben").items() if hasattr(x, "tolist")}
+    )
     kinegrade("grade", "--course", folder)
     return made
 
@@ -30,7 +39,10 @@ def course(tmp_path, kinegrade):
 def points_of(course, kinegrade):
     kinegrade("report", "--course", course.folder)
     rows = csv.DictReader((course.folder / "grades.csv").read_text(encoding="utf-8").splitlines())
-    return {row["student"]: (row["status"], row["points"], row["lever_why"], row["lever_sketch"]) for row in rows}
+    return {
+        row["student"]: (row["status"], row["points"], row["lever_why"], row["lever_sketch"])
+        for row in rows
+    }
 
 
 def test_an_answer_waits_for_its_mark_and_is_no_zero(course, kinegrade):
@@ -52,7 +64,17 @@ def test_what_waits_is_listed_with_key_and_rubric(course, kinegrade):
 
 
 def test_marks_entered_one_by_one_complete_the_grade(course, kinegrade):
-    kinegrade("marks", "set", "ada", "lever_why", "3.5", "--comment", "Where is the axis?", "--course", course.folder)
+    kinegrade(
+        "marks",
+        "set",
+        "ada",
+        "lever_why",
+        "3.5",
+        "--comment",
+        "Where is the axis?",
+        "--course",
+        course.folder,
+    )
     kinegrade("marks", "set", "ada", "lever_sketch", "2", "--course", course.folder)
     assert points_of(course, kinegrade)["ada"] == ("graded", "10.5", "3.5", "2")
     page = (course.folder / "feedback" / "ada" / "one.html").read_text(encoding="utf-8")
@@ -64,7 +86,10 @@ def test_marks_entered_one_by_one_complete_the_grade(course, kinegrade):
 
 def test_marks_go_out_and_come_back_in_a_file(course, kinegrade, tmp_path):
     path = tmp_path / "marks.csv"
-    assert "4 answers, 3 of them wait" in kinegrade("marks", "write", path, "--course", course.folder).err
+    assert (
+        "4 answers, 3 of them wait"
+        in kinegrade("marks", "write", path, "--course", course.folder).err
+    )
     rows = [*csv.DictReader(path.read_text(encoding="utf-8").splitlines())]
     for row in rows:
         row["points"] = "2" if row["student"] == "ada" else "1"
@@ -81,10 +106,15 @@ def write(path, rows, delimiter=","):
         writer.writerows(rows)
 
 
-def test_a_file_from_a_spreadsheet_with_semicolons_and_decimal_commas_is_read(course, kinegrade, tmp_path):
+def test_a_file_from_a_spreadsheet_with_semicolons_and_decimal_commas_is_read(
+    course, kinegrade, tmp_path
+):
     path = tmp_path / "marks.csv"
     kinegrade("marks", "write", path, "--course", course.folder)
-    rows = [row | {"points": "1,5"} for row in csv.DictReader(path.read_text(encoding="utf-8").splitlines())]
+    rows = [
+        row | {"points": "1,5"}
+        for row in csv.DictReader(path.read_text(encoding="utf-8").splitlines())
+    ]
     write(path, rows, ";")
     kinegrade("marks", "read", path, "--course", course.folder)
     assert points_of(course, kinegrade)["ada"][2:] == ("1.5", "1.5")
@@ -98,15 +128,26 @@ def test_a_file_from_a_spreadsheet_with_semicolons_and_decimal_commas_is_read(co
         ({"points": "nan"}, "points take 0 to 4, got nan"),
         ({"points": "two"}, "points take a number, got 'two'"),
         ({"points": "1", "student": "zoe"}, "zoe, lever_why: there is no such answer"),
-        ({"points": "1", "part": "lever_p"}, "the parts marked by hand are: lever_sketch, lever_why"),
-        ({"points": "1", "answer_id": "00000000"}, "the answer changed since this file was written"),
+        (
+            {"points": "1", "part": "lever_p"},
+            "the parts marked by hand are: lever_sketch, lever_why",
+        ),
+        (
+            {"points": "1", "answer_id": "00000000"},
+            "the answer changed since this file was written",
+        ),
     ],
 )
 def test_one_wrong_line_enters_nothing_and_is_named(course, kinegrade, tmp_path, change, words):
     path = tmp_path / "marks.csv"
     kinegrade("marks", "write", path, "--course", course.folder)
-    rows = [row | {"points": "1"} for row in csv.DictReader(path.read_text(encoding="utf-8").splitlines())]
-    number = next(i for i, row in enumerate(rows) if (row["student"], row["part"]) == ("ada", "lever_why"))
+    rows = [
+        row | {"points": "1"}
+        for row in csv.DictReader(path.read_text(encoding="utf-8").splitlines())
+    ]
+    number = next(
+        i for i, row in enumerate(rows) if (row["student"], row["part"]) == ("ada", "lever_why")
+    )
     rows[number] |= change
     write(path, rows)
     ran = kinegrade("marks", "read", path, "--course", course.folder)
@@ -134,7 +175,9 @@ def test_a_new_answer_waits_for_a_new_mark(course, kinegrade):
 
 def test_marked_answers_are_not_marked_again_by_the_grader(course, kinegrade, monkeypatch):
     kinegrade("marks", "set", "ada", "lever_why", "4", "--course", course.folder)
-    monkeypatch.setattr("kinegrade.course.grading.mark", lambda *_, **__: pytest.fail("marked twice"))
+    monkeypatch.setattr(
+        "kinegrade.course.grading.mark", lambda *_, **__: pytest.fail("marked twice")
+    )
     kinegrade("grade", "--course", course.folder)
     assert points_of(course, kinegrade)["ada"][2] == "4"
 
@@ -151,13 +194,20 @@ def test_a_file_of_marks_is_never_overwritten(course, kinegrade, tmp_path):
 def test_a_file_without_the_columns_is_refused(course, kinegrade, tmp_path):
     path = tmp_path / "marks.csv"
     path.write_text("student,points\nada,3\n", encoding="utf-8")
-    assert "the column 'sheet' is missing" in kinegrade("marks", "read", path, "--course", course.folder).err
+    assert (
+        "the column 'sheet' is missing"
+        in kinegrade("marks", "read", path, "--course", course.folder).err
+    )
 
 
 def test_what_a_student_typed_is_no_formula_in_a_spreadsheet(course, kinegrade, tmp_path):
     path = tmp_path / "marks.csv"
     submitted = course.folder / "submitted" / "ada" / "one.json"
-    hand_in(course, "ada", json.loads(submitted.read_text(encoding="utf-8")) | {"lever_why": "=HYPERLINK(1)"})
+    hand_in(
+        course,
+        "ada",
+        json.loads(submitted.read_text(encoding="utf-8")) | {"lever_why": "=HYPERLINK(1)"},
+    )
     kinegrade("grade", "--course", course.folder)
     kinegrade("marks", "write", path, "--course", course.folder)
     assert '"\'=HYPERLINK(1)"' in path.read_text(encoding="utf-8")

@@ -9,9 +9,9 @@ import zlib
 
 import numpy as np
 import pytest
-from kinegrade.grader import mat_elements, mat_file
-from kinegrade.grader.ask import Ask
-from kinegrade.grader.mat_file import from_mat
+from kinegrade.grader.collecting import mat_elements, mat_file
+from kinegrade.grader.collecting.ask import Ask
+from kinegrade.grader.collecting.mat_file import from_mat
 from scipy.io import savemat
 from scipy.sparse import csc_matrix
 
@@ -97,7 +97,10 @@ def test_numbers_come_in_the_shape_that_matlab_gave_them(value, expected, compre
         (cell(["sin(q2) = 0"]), [["sin(q2) = 0"]]),
         (cell(["a", "b"]), [["a", "b"]]),
         (cell(["a"], ["b"]), [["a"], ["b"]]),
-        (cell(["q1", 0.25, "d1", "pi/2"], ["q2", 0, "", 1]), [["q1", "0.25", "d1", "pi/2"], ["q2", "0.0", "", "1.0"]]),
+        (
+            cell(["q1", 0.25, "d1", "pi/2"], ["q2", 0, "", 1]),
+            [["q1", "0.25", "d1", "pi/2"], ["q2", "0.0", "", "1.0"]],
+        ),
         (cell([cell(["q1", "d1"]), cell(["q2", 0])]), [["q1", "d1"], ["q2", "0.0"]]),
     ],
 )
@@ -106,7 +109,9 @@ def test_text_and_cells_are_text_as_in_a_notebook(value, expected, compressed):
     assert (raw.kind, raw.value) == ("text", expected)
 
 
-@pytest.mark.parametrize("value", [np.zeros((0, 0)), "", cell([""]), cell([np.zeros((0, 0))] * 5), cell([" "])])
+@pytest.mark.parametrize(
+    "value", [np.zeros((0, 0)), "", cell([""]), cell([np.zeros((0, 0))] * 5), cell([" "])]
+)
 def test_what_is_empty_is_unanswered(value):
     assert one(value).kind == "missing"
 
@@ -138,7 +143,10 @@ def test_what_cannot_be_marked_says_what_it_is(value, words):
         (opaque("x", "sym"), "use char(...)"),
         (opaque("x", "table"), "an object cannot be marked"),
         (matrix("x", 1, opaque("", "string")), "use single quotes or char(...)"),
-        (matrix("x", 16, matrix("", 2)), "a function handle cannot be called here; hand in its results"),
+        (
+            matrix("x", 16, matrix("", 2)),
+            "a function handle cannot be called here; hand in its results",
+        ),
         (matrix("x", 3), "an object cannot be marked"),
         (matrix("x", 6, part(9, bytes(8)), shape=(2**30, 2**30)), "too large"),
         (matrix("x", 6, part(9, bytes(8)), shape=(-1, 1)), "damaged"),
@@ -148,13 +156,29 @@ def test_what_cannot_be_marked_says_what_it_is(value, words):
         (matrix("x", 99, part(9, bytes(8))), "damaged"),
         (matrix("x", 1, shape=(20, 20)), "damaged"),
         (matrix("x", 4, part(4, b"a\0"), shape=(100, 100)), "damaged"),
-        (matrix("x", 5, part(5, b"\xff" * 4), part(5, struct.pack("<2i", 0, 1)), part(9, bytes(8))), "damaged"),
-        (matrix("x", 5, part(5, bytes(4)), part(5, struct.pack("<2i", 0, 9)), part(9, bytes(8))), "damaged"),
-        (matrix("x", 5, part(5, bytes(4)), part(5, struct.pack("<2i", 5, 1)), part(9, bytes(8))), "damaged"),
+        (
+            matrix(
+                "x", 5, part(5, b"\xff" * 4), part(5, struct.pack("<2i", 0, 1)), part(9, bytes(8))
+            ),
+            "damaged",
+        ),
+        (
+            matrix("x", 5, part(5, bytes(4)), part(5, struct.pack("<2i", 0, 9)), part(9, bytes(8))),
+            "damaged",
+        ),
+        (
+            matrix("x", 5, part(5, bytes(4)), part(5, struct.pack("<2i", 5, 1)), part(9, bytes(8))),
+            "damaged",
+        ),
     ],
 )
 def test_hand_made_variables_cost_only_themselves(element, words):
-    data = HEADER + matrix("a", 6, part(9, struct.pack("<d", 1))) + element + matrix("b", 6, part(2, b"\x02"))
+    data = (
+        HEADER
+        + matrix("a", 6, part(9, struct.pack("<d", 1)))
+        + element
+        + matrix("b", 6, part(2, b"\x02"))
+    )
     found = from_mat(data, [Ask("a"), Ask("x"), Ask("b")])
     assert (found["a"].value, found["b"].value) == ([[1]], [[2]])
     assert found["x"].kind == "error"
@@ -163,7 +187,12 @@ def test_hand_made_variables_cost_only_themselves(element, words):
 
 def test_a_sparse_matrix_made_by_hand_is_read():
     element = matrix(
-        "x", 5, part(5, struct.pack("<i", 1)), part(5, struct.pack("<3i", 0, 0, 1)), part(2, b"\7"), shape=(2, 2)
+        "x",
+        5,
+        part(5, struct.pack("<i", 1)),
+        part(5, struct.pack("<3i", 0, 0, 1)),
+        part(2, b"\7"),
+        shape=(2, 2),
     )
     assert from_mat(HEADER + element, [Ask("x")])["x"].value.tolist() == [[0, 0], [0, 7]]
 
@@ -202,7 +231,9 @@ def test_a_file_that_is_not_read_says_why(data, words):
     assert "MATLAB" not in words or "-v7'" in raw.value
 
 
-@pytest.mark.parametrize("bombs", [(bytes(5 << 20),), (matrix("y", 6, part(9, bytes(3 << 20))),) * 2])
+@pytest.mark.parametrize(
+    "bombs", [(bytes(5 << 20),), (matrix("y", 6, part(9, bytes(3 << 20))),) * 2]
+)
 def test_a_bomb_is_not_unpacked(bombs, monkeypatch):
     monkeypatch.setattr(mat_file, "_variable", lambda *_: pytest.fail("it was read"))
     data = HEADER + b"".join(map(packed, bombs))
@@ -212,7 +243,10 @@ def test_a_bomb_is_not_unpacked(bombs, monkeypatch):
 
 def test_what_is_not_compressed_counts_too():
     large = matrix("y", 6, part(9, bytes(5 << 19)))
-    assert "unpacks to more than 4 MB" in from_mat(HEADER + packed(large) + large, [Ask("x")])["x"].value
+    assert (
+        "unpacks to more than 4 MB"
+        in from_mat(HEADER + packed(large) + large, [Ask("x")])["x"].value
+    )
 
 
 def ones(*shape):
@@ -234,7 +268,10 @@ NOTHING = part(14, b"")
 @pytest.mark.parametrize(
     ("element", "words"),
     [
-        (cells_of(*[ones(64, 64)] * 2, name="x"), "more than 4096 numbers, cells within cells included"),
+        (
+            cells_of(*[ones(64, 64)] * 2, name="x"),
+            "more than 4096 numbers, cells within cells included",
+        ),
         (cells_of(*[cells_of(*[ones(41, 1)] * 20)] * 5, name="x"), "more than 4096 numbers"),
         (cells_of(*[cells_of(*[NOTHING] * 400)] * 2, name="x"), "more than 512 cells"),
         (cells_of(*[NOTHING] * 513, name="x"), "an array of 513 x 1; 512 can be read"),
@@ -242,7 +279,10 @@ NOTHING = part(14, b"")
         (cells_of(*[text_of(300, 1)] * 2, name="x"), "more than 512 cells and lines of text"),
         (matrix("x", 6, part(1, b""), shape=(2**30, 0)), "an array of 1073741824 x 0"),
         (matrix("x", 4, part(16, b""), shape=(2**30, 0)), "an array of 1073741824 x 0"),
-        (cells_of(matrix("", 6, part(1, b""), shape=(0, 2**30)), name="x"), "an array of 0 x 1073741824"),
+        (
+            cells_of(matrix("", 6, part(1, b""), shape=(0, 2**30)), name="x"),
+            "an array of 0 x 1073741824",
+        ),
     ],
 )
 def test_what_is_too_large_in_all_is_refused_before_scipy_reads_it(element, words, monkeypatch):
@@ -264,7 +304,10 @@ def test_as_much_as_an_answer_may_have_is_read():
 def test_a_file_of_a_thousand_variables_is_read_and_one_of_more_is_not():
     answer, other = matrix("x", 6, part(2, b"\2")), matrix("y", 6, part(2, b"\1"))
     assert from_mat(HEADER + other * 999 + answer, [Ask("x")])["x"].value.tolist() == [[2]]
-    assert "more than 1000 variables" in from_mat(HEADER + other * 1000 + answer, [Ask("x")])["x"].value
+    assert (
+        "more than 1000 variables"
+        in from_mat(HEADER + other * 1000 + answer, [Ask("x")])["x"].value
+    )
 
 
 @pytest.mark.parametrize("content", [part(17, b"a\0\0\xd8"), part(18, b"a\0\0\0\0\xd8\0\0")])
@@ -292,7 +335,9 @@ def test_cells_are_the_results_of_calls():
     raw = one(cell([np.eye(2), np.eye(3)]), calls=calls)
     assert raw.listed
     assert [result.value.shape for result in raw.value] == [(2, 2), (3, 3)]
-    assert [result.kind for result in one(cell([np.eye(2), np.zeros((0, 0))]), calls=calls).value] == ["num", "missing"]
+    assert [
+        result.kind for result in one(cell([np.eye(2), np.zeros((0, 0))]), calls=calls).value
+    ] == ["num", "missing"]
     assert one(cell([np.zeros((0, 0))] * 2), calls=calls).kind == "missing"
     pages = np.stack([np.eye(2), 2 * np.eye(2), 3 * np.eye(2)], axis=-1)
     np.testing.assert_array_equal(one(pages, calls=calls).value[2], 3 * np.eye(2))
@@ -308,8 +353,16 @@ def test_without_scipy_a_sentence_says_what_to_install(monkeypatch):
 def test_no_bytes_make_reading_fail(seed, compressed):
     dice = random.Random(seed)  # noqa: S311 - the same bytes every time
     text = cell(["q1", 0.25, "d1"], ["", np.eye(2), cell(["a"])])
-    whole = {"x": np.arange(6.0).reshape(2, 3), "c": text, "t": "text", "s": csc_matrix(np.eye(3)), "d": {"a": 1}}
-    asks = [Ask(name, calls) for name, calls in zip("xctsd", [(), ((1.0,),), (), (), ()], strict=True)]
+    whole = {
+        "x": np.arange(6.0).reshape(2, 3),
+        "c": text,
+        "t": "text",
+        "s": csc_matrix(np.eye(3)),
+        "d": {"a": 1},
+    }
+    asks = [
+        Ask(name, calls) for name, calls in zip("xctsd", [(), ((1.0,),), (), (), ()], strict=True)
+    ]
     data = saved(whole)
     starts = [128]
     while starts[-1] < len(data):
@@ -317,9 +370,14 @@ def test_no_bytes_make_reading_fail(seed, compressed):
     for _ in range(1500):
         changed = bytearray(data)
         for _ in range(dice.choice((1, 1, 2, 8))):
-            changed[dice.randrange(120, len(changed))] = dice.choice((dice.randrange(256), 0, 1, 5, 14, 15, 128, 255))
+            changed[dice.randrange(120, len(changed))] = dice.choice(
+                (dice.randrange(256), 0, 1, 5, 14, 15, 128, 255)
+            )
         cut = len(changed) if dice.random() < 0.8 else dice.randrange(len(changed))
-        pieces = [bytes(changed[a:b]) for a, b in itertools.pairwise(sorted({*(x for x in starts if x < cut), cut}))]
+        pieces = [
+            bytes(changed[a:b])
+            for a, b in itertools.pairwise(sorted({*(x for x in starts if x < cut), cut}))
+        ]
         content = b"".join(map(packed, pieces) if compressed else pieces)
         for raw in from_mat(bytes(changed[:128]) + content, asks).values():
             assert raw.kind in ("num", "text", "calls", "missing", "error")
@@ -329,7 +387,13 @@ def test_no_bytes_make_reading_fail(seed, compressed):
 @pytest.mark.parametrize(
     "element",
     [
-        matrix("x", 5, part(5, struct.pack("<i", 10**6)), part(5, struct.pack("<2i", 0, 1)), part(9, bytes(8))),
+        matrix(
+            "x",
+            5,
+            part(5, struct.pack("<i", 10**6)),
+            part(5, struct.pack("<2i", 0, 1)),
+            part(9, bytes(8)),
+        ),
         matrix("x", 6, part(9, bytes(8)), shape=(2, 1)),
         matrix("x", 4, part(4, b"a\0"), shape=(100, 100)),
         matrix("x", 1, shape=(20, 20)),

@@ -5,16 +5,18 @@ import json
 import numpy as np
 import pytest
 from kinegrade.exercises.exercise import Numbers
-from kinegrade.grader.ask import Ask
-from kinegrade.grader.named_matrices import from_csv, from_json
-from kinegrade.grader.read import read
+from kinegrade.grader.collecting.ask import Ask
+from kinegrade.grader.collecting.named_matrices import from_csv, from_json
+from kinegrade.grader.kinds.markers import read
 
 ASKS = [Ask("J"), Ask("dh"), Ask("v")]
 CALLS = [Ask("f", ((1.0,), (2.0,)))]
 
 
 def test_a_json_object_of_matrices_is_read():
-    found = from_json(json.dumps({"J": [[1, 2], [3, 4.5]], "dh": [["q1", 0]], "other": 1}).encode(), ASKS)
+    found = from_json(
+        json.dumps({"J": [[1, 2], [3, 4.5]], "dh": [["q1", 0]], "other": 1}).encode(), ASKS
+    )
     assert read(Numbers((2, 2)), found["J"], {}).tolist() == [[1, 2], [3, 4.5]]
     assert found["dh"].kind == "text"
     assert found["v"].kind == "missing"
@@ -29,7 +31,9 @@ def test_a_csv_file_is_read_by_names_on_lines_of_their_own():
 
 
 @pytest.mark.parametrize("reader", [from_json, from_csv])
-@pytest.mark.parametrize("data", [b"", b"\xff\xfe\x00\x01", b"[" * 100_000, b"nonsense", b" " * (3 << 20)])
+@pytest.mark.parametrize(
+    "data", [b"", b"\xff\xfe\x00\x01", b"[" * 100_000, b"nonsense", b" " * (3 << 20)]
+)
 def test_a_broken_file_is_never_an_exception(reader, data):
     assert {raw.kind for raw in reader(data, ASKS).values()} <= {"error", "missing"}
 
@@ -128,7 +132,10 @@ def test_text_in_csv_stands_below_its_name():
 
 def test_text_with_commas_that_is_not_quoted_is_told_of_quotes():
     raw = from_csv(b"J\none, two\nthree\n", ASKS)["J"]
-    assert raw.value == "not a matrix: its rows have different lengths; a text with commas takes quotes"
+    assert (
+        raw.value
+        == "not a matrix: its rows have different lengths; a text with commas takes quotes"
+    )
 
 
 def test_numbered_lines_in_csv_introduce_results_of_calls():
@@ -167,7 +174,8 @@ def test_semicolons_between_cells_are_read_where_there_is_no_doubt(text, expecte
 
 
 @pytest.mark.parametrize(
-    "text", ["J\n1,2,3;4,5,6\n", "J\n0.5;1,5\n", "J\n1.5,2;3,4\n", "J\n1,2,3\nv\n1;2\n", "J\n1.000,5;2\n"]
+    "text",
+    ["J\n1,2,3;4,5,6\n", "J\n0.5;1,5\n", "J\n1.5,2;3,4\n", "J\n1,2,3\nv\n1;2\n", "J\n1.000,5;2\n"],
 )
 def test_commas_and_semicolons_that_could_both_separate_are_refused(text):
     raw = from_csv(text.encode(), ASKS)["J"]
@@ -175,7 +183,9 @@ def test_commas_and_semicolons_that_could_both_separate_are_refused(text):
     assert "can be read in two ways" in raw.value
 
 
-@pytest.mark.parametrize("cell", ["(" * 60_000 + ")" * 60_000, "1" * 120_000 + "x", '"' * 99_999, "1,1" * 40_000])
+@pytest.mark.parametrize(
+    "cell", ["(" * 60_000 + ")" * 60_000, "1" * 120_000 + "x", '"' * 99_999, "1,1" * 40_000]
+)
 def test_no_cell_takes_long(cell):
     assert from_csv(f"J\n1;{cell};2\n".encode(), ASKS)["J"].kind == "error"
 
@@ -220,12 +230,16 @@ FULL = "the file has more than 50000 values, lines or brackets; hand in only you
     ],
 )
 def test_a_csv_file_with_far_more_than_answers_is_not_taken_apart(text, monkeypatch):
-    monkeypatch.setattr("kinegrade.grader.named_matrices.rows_of", lambda *_: pytest.fail("it was taken apart"))
+    monkeypatch.setattr(
+        "kinegrade.grader.collecting.named_matrices.rows_of",
+        lambda *_: pytest.fail("it was taken apart"),
+    )
     assert {raw.value for raw in from_csv(f"J\n{text}".encode(), ASKS).values()} == {FULL}
 
 
 @pytest.mark.parametrize(
-    "value", ["[" * 60_000, "[" + "[]," * 30_000 + "1]", "[" + "1," * 60_000 + "1]", '{"a":' * 30_000]
+    "value",
+    ["[" * 60_000, "[" + "[]," * 30_000 + "1]", "[" + "1," * 60_000 + "1]", '{"a":' * 30_000],
 )
 def test_a_json_file_with_far_more_than_answers_is_not_parsed(value, monkeypatch):
     monkeypatch.setattr(json, "loads", lambda *_, **__: pytest.fail("it was parsed"))
@@ -234,12 +248,20 @@ def test_a_json_file_with_far_more_than_answers_is_not_parsed(value, monkeypatch
 
 @pytest.mark.parametrize("reader", [from_json, from_csv])
 def test_a_file_of_more_than_two_megabytes_says_so(reader):
-    assert reader(b" " * (2 << 20) + b" ", ASKS)["J"].value == "the file has more than 2 MB; hand in only your answers"
+    assert (
+        reader(b" " * (2 << 20) + b" ", ASKS)["J"].value
+        == "the file has more than 2 MB; hand in only your answers"
+    )
 
 
 @pytest.mark.parametrize(
     ("text", "cells"),
-    [("1\n" * 4097, 4097), ("a,b\n" * 2049, 4098), ("1;2,5\n" * 2049, 4098), (",".join("1" * 4097), 4097)],
+    [
+        ("1\n" * 4097, 4097),
+        ("a,b\n" * 2049, 4098),
+        ("1;2,5\n" * 2049, 4098),
+        (",".join("1" * 4097), 4097),
+    ],
 )
 def test_too_many_cells_of_one_name_in_csv_cost_only_that_name(text, cells):
     found = from_csv(f"dh\n{text}\nJ\n1\n".encode(), ASKS)
@@ -249,11 +271,22 @@ def test_too_many_cells_of_one_name_in_csv_cost_only_that_name(text, cells):
 
 def test_results_of_calls_in_csv_are_counted_together():
     text = "".join(f"f {i}\n" + "1\n" * 2100 for i in (1, 2))
-    assert from_csv(text.encode(), CALLS)["f"].value == "too large: it has 4200 cells; an answer may have 4096"
+    assert (
+        from_csv(text.encode(), CALLS)["f"].value
+        == "too large: it has 4200 cells; an answer may have 4096"
+    )
 
 
 @pytest.mark.parametrize(
-    "value", [[0] * 4097, [[0] * 64] * 65, [["x"] * 64] * 65, [[[1]] * 4000, [[2]] * 100], [[]] * 5000, [None] * 4097]
+    "value",
+    [
+        [0] * 4097,
+        [[0] * 64] * 65,
+        [["x"] * 64] * 65,
+        [[[1]] * 4000, [[2]] * 100],
+        [[]] * 5000,
+        [None] * 4097,
+    ],
 )
 def test_too_many_entries_of_one_name_in_json_cost_only_that_name(value):
     found = from_json(json.dumps({"f": value, "J": 1}).encode(), [*CALLS, Ask("J")])
@@ -274,4 +307,7 @@ def test_as_much_as_an_answer_may_have_is_read():
 
 @pytest.mark.parametrize("line", ["\r", "\r\n", "\n"])
 def test_lines_end_as_any_machine_ends_them(line):
-    assert from_csv(line.join(["J", "1,2", "3,4", ""]).encode(), ASKS)["J"].value.tolist() == [[1, 2], [3, 4]]
+    assert from_csv(line.join(["J", "1,2", "3,4", ""]).encode(), ASKS)["J"].value.tolist() == [
+        [1, 2],
+        [3, 4],
+    ]

@@ -71,20 +71,36 @@ def test_an_init_that_was_killed_before_its_end_can_be_repeated(tmp_path, monkey
 def test_all_that_a_course_writes_besides_its_settings_is_kept_out_of_a_repository(tmp_path):
     write_course(tmp_path)
     assert (tmp_path / ".gitignore").read_text(encoding="utf-8").split() == [*PRIVATE]
-    named = {"secret", "gradebook.sqlite*", "released/", "solutions/", "submitted/", "feedback/", "report/"}
+    named = {
+        "secret",
+        "gradebook.sqlite*",
+        "released/",
+        "solutions/",
+        "submitted/",
+        "feedback/",
+        "report/",
+    }
     assert set(PRIVATE) == named | {"grades*.csv"}
 
 
 @pytest.mark.parametrize(
     ("text", "told"),
-    [("*.pyc\n", PRIVATE), ("secret\n/released\n", [n for n in PRIVATE if n not in ("secret", "released/")])],
+    [
+        ("*.pyc\n", PRIVATE),
+        ("secret\n/released\n", [n for n in PRIVATE if n not in ("secret", "released/")]),
+    ],
 )
-def test_a_gitignore_that_is_there_is_left_alone_and_what_it_lacks_is_told(tmp_path, capsys, text, told):
+def test_a_gitignore_that_is_there_is_left_alone_and_what_it_lacks_is_told(
+    tmp_path, capsys, text, told
+):
     path = tmp_path / ".gitignore"
     path.write_text(text, encoding="utf-8")
     assert path not in write_course(tmp_path)
     assert path.read_text(encoding="utf-8") == text
-    assert capsys.readouterr().err == f"{path} was there and is left alone; it should also name: {' '.join(told)}\n"
+    assert (
+        capsys.readouterr().err
+        == f"{path} was there and is left alone; it should also name: {' '.join(told)}\n"
+    )
 
 
 def test_a_gitignore_that_lacks_nothing_is_not_mentioned(tmp_path, capsys):
@@ -120,6 +136,8 @@ def test_an_older_course_that_has_its_secret_in_its_settings_gets_no_other(tmp_p
     make_course(tmp_path)
     (tmp_path / "secret").unlink()
     settings = tmp_path / "course.toml"
-    settings.write_text(f'secret = "{SECRET}"\n' + settings.read_text(encoding="utf-8"), encoding="utf-8")
+    settings.write_text(
+        f'secret = "{SECRET}"\n' + settings.read_text(encoding="utf-8"), encoding="utf-8"
+    )
     with pytest.raises(CourseError, match="init never overwrites"):
         write_course(tmp_path)

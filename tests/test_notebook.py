@@ -12,13 +12,13 @@ import numpy as np
 import pytest
 from answers import EXERCISES, flat, telling, variant_of
 from courses import BUNDLED, exercise_of, lever, sheet
-from kinegrade.course.blanks import self_check
 from kinegrade.course.config import Student
-from kinegrade.course.notebook import given_cell, notebooks, printed
-from kinegrade.course.submissions import Submission
+from kinegrade.course.sheet.notebook import given_cell, notebooks, printed
+from kinegrade.course.sheet.self_check import self_check
+from kinegrade.course.sheet.submissions import Submission
 from kinegrade.exercises.exercise import Choice, Manual, Part, references
-from kinegrade.grader.ask import Limits
-from kinegrade.grader.mark import mark
+from kinegrade.grader.collecting.ask import Limits
+from kinegrade.grader.marking.mark import mark
 from markdown_it import MarkdownIt
 from nbclient import NotebookClient
 
@@ -46,11 +46,20 @@ def both(exercises, mode="graded", student=ADA, seed=0):
 def quick(tmp_path, **options):
     """Both notebooks of the exercise without figures."""
     pairs = [(lever(tmp_path), {"L": 0.75, "q": [0.3]})]
-    return notebooks("Tests", sheet(options.get("mode", "graded"), ("lever",)), options.get("student", ADA), pairs)
+    return notebooks(
+        "Tests",
+        sheet(options.get("mode", "graded"), ("lever",)),
+        options.get("student", ADA),
+        pairs,
+    )
 
 
 def sources(notebook, kind="code"):
-    return ["".join(cell["source"]) for cell in json.loads(notebook)["cells"] if cell["cell_type"] == kind]
+    return [
+        "".join(cell["source"])
+        for cell in json.loads(notebook)["cells"]
+        if cell["cell_type"] == kind
+    ]
 
 
 def test_both_notebooks_are_valid_and_the_same_bytes_every_time(exercise):
@@ -66,7 +75,9 @@ def test_both_notebooks_are_valid_and_the_same_bytes_every_time(exercise):
 def test_a_sheet_as_handed_out_runs_from_top_to_bottom_in_jupyter(bundled_course):
     path = bundled_course.folder / "released" / "ada" / "one.ipynb"
     notebook = nbformat.read(path, 4)
-    NotebookClient(notebook, timeout=None, resources={"metadata": {"path": str(path.parent)}}).execute()
+    NotebookClient(
+        notebook, timeout=None, resources={"metadata": {"path": str(path.parent)}}
+    ).execute()
     code = [cell for cell in notebook.cells if cell.cell_type == "code"]
     assert all(cell.execution_count for cell in code)
     assert [output for cell in code[:-1] for output in cell.outputs] == []
@@ -86,7 +97,9 @@ def marked(written, exercise, v):
 def expected(exercise, status):
     """That status, but for what is marked by hand: it waits where something is there or may be on paper."""
     by_hand = {
-        part.variable: "missing" if status == "missing" and not part.answer.on_paper else "not_graded"
+        part.variable: "missing"
+        if status == "missing" and not part.answer.on_paper
+        else "not_graded"
         for part in exercise.asked
         if isinstance(part.answer, Manual)
     }
@@ -96,14 +109,18 @@ def expected(exercise, status):
 def test_a_sheet_as_handed_out_is_not_answered(exercise):
     handout, _ = both([exercise])
     found = marked(handout, exercise, variant_of(exercise.slug))
-    assert {name: verdict.status for name, verdict in found.items()} == expected(exercise, "missing")
+    assert {name: verdict.status for name, verdict in found.items()} == expected(
+        exercise, "missing"
+    )
     assert all(verdict.points in (0, None) for verdict in found.values())
 
 
 def test_the_worked_solution_earns_full_marks(exercise):
     _, solution = both([exercise], seed=2)
     found = marked(solution, exercise, variant_of(exercise.slug, 2))
-    assert {name: verdict.status for name, verdict in found.items()} == expected(exercise, "correct")
+    assert {name: verdict.status for name, verdict in found.items()} == expected(
+        exercise, "correct"
+    )
 
 
 def test_a_worked_solution_is_marked_as_one_and_has_no_numbers_for_a_check(exercise):
@@ -115,7 +132,11 @@ def test_a_worked_solution_is_marked_as_one_and_has_no_numbers_for_a_check(exerc
 
 def secrets_of(exercise, v):
     """Texts that tell an answer and are not part of the question: numbers that were drawn, options of a choice."""
-    asked = exercise.statement(v) + given_cell(exercise, v) + "".join(part.prompt for part in exercise.asked)
+    asked = (
+        exercise.statement(v)
+        + given_cell(exercise, v)
+        + "".join(part.prompt for part in exercise.asked)
+    )
     asked += " ".join(f"{abs(x):.4f}" for x in flat(printed(exercise, v)))
     answers = references(exercise, v)
     parts = [part for part in exercise.asked if not isinstance(part.answer, Choice)]
@@ -125,7 +146,9 @@ def secrets_of(exercise, v):
 
 def test_a_handed_out_sheet_holds_no_answer(exercise):
     secrets = secrets_of(exercise, variant_of(exercise.slug))
-    handout, solution = ("\n".join(sources(written) + sources(written, "markdown")) for written in both([exercise]))
+    handout, solution = (
+        "\n".join(sources(written) + sources(written, "markdown")) for written in both([exercise])
+    )
     pictureless = re.sub(r"data:image/[^\"]+", "", handout)
     assert secrets
     assert [text for text in secrets if text in pictureless] == []
@@ -144,7 +167,9 @@ def test_what_a_check_needs_stands_in_the_metadata(tmp_path):
     }
 
 
-@pytest.mark.parametrize(("mode", "hinted"), [("practice", True), ("graded", True), ("exam", False)])
+@pytest.mark.parametrize(
+    ("mode", "hinted"), [("practice", True), ("graded", True), ("exam", False)]
+)
 def test_an_exam_has_no_hints(mode, hinted):
     handout, solution = both([EXERCISES["rrt"]], mode)
     assert (b"<details>" in handout) is hinted
@@ -157,7 +182,8 @@ def test_every_part_has_a_blank_of_its_own_and_its_points(exercise):
         blanks = (f"{part.variable} = ...", f"def {part.variable}(")
         assert sum(source.startswith(blanks) for source in sources(handout)) == 1
         assert any(
-            text.startswith(f"**`{part.variable}`** ({part.points:g} point") for text in sources(handout, "markdown")
+            text.startswith(f"**`{part.variable}`** ({part.points:g} point")
+            for text in sources(handout, "markdown")
         )
     assert f"{exercise.points:g} points" in sources(handout, "markdown")[0]
 
@@ -166,20 +192,29 @@ def test_the_options_of_a_choice_stand_below_its_question_with_their_letters():
     exercise = EXERCISES["find_the_mistake"]
     handout, _ = both([exercise])
     (part,) = (part for part in exercise.asked if isinstance(part.answer, Choice))
-    (cell,) = (text for text in sources(handout, "markdown") if text.startswith(f"**`{part.variable}`**"))
+    (cell,) = (
+        text for text in sources(handout, "markdown") if text.startswith(f"**`{part.variable}`**")
+    )
     for letter, option in zip(part.answer.letters, part.answer.options, strict=True):
         assert f"\n- **{letter})** {option}" in cell
 
 
-@pytest.mark.parametrize(("on_paper", "words"), [(False, "Marked by hand."), (True, "On paper, marked by hand.")])
+@pytest.mark.parametrize(
+    ("on_paper", "words"), [(False, "Marked by hand."), (True, "On paper, marked by hand.")]
+)
 def test_what_is_marked_by_hand_says_so_and_the_solution_has_its_rubric(on_paper, words):
     part = Part(
-        "t_why", "Why", 3, Manual(((1, "a reason"), (2, "an example")), on_paper=on_paper), lambda *_: "The key."
+        "t_why",
+        "Why",
+        3,
+        Manual(((1, "a reason"), (2, "an example")), on_paper=on_paper),
+        lambda *_: "The key.",
     )
     exercise = exercise_of(part)
     handout, solution = notebooks("Tests", sheet(exercises=("t",)), ADA, [(exercise, {"x": 0.5})])
     assert any(
-        text.startswith("**`t_why`** (3 points): Why.") and words in text for text in sources(handout, "markdown")
+        text.startswith("**`t_why`** (3 points): Why.") and words in text
+        for text in sources(handout, "markdown")
     )
     assert "- 1 point: a reason\n- 2 points: an example" in sources(solution, "markdown")
     assert "t_why = 'The key.'" in sources(solution)
@@ -275,4 +310,6 @@ def test_figures_are_inside_the_notebook_with_alternative_text():
     handout, _ = both([EXERCISES["rrt"]])
     images = re.findall(r"<img [^>]*>", "\n".join(sources(handout, "markdown")))
     assert images
-    assert all(re.search(r'src="data:image/png;base64,[^"]+" alt="[^"]{20,}"', image) for image in images)
+    assert all(
+        re.search(r'src="data:image/png;base64,[^"]+" alt="[^"]{20,}"', image) for image in images
+    )

@@ -4,9 +4,8 @@ import numpy as np
 import pytest
 from answers import EXERCISES, part_of, raws_of, right_raws, variant_of
 from kinegrade.exercises.exercise import Manual, references
-from kinegrade.exercises.values import declared
-from kinegrade.grader.own_work import remarks
-from kinegrade.grader.wire import Raw
+from kinegrade.grader.collecting.wire import Raw
+from kinegrade.grader.marking.own_work import remarks
 
 
 def told(slug, changes, *, consistency=True, seed=0):
@@ -43,7 +42,9 @@ def test_wrong_formulas_and_numbers_that_fit_them_are_not_given_away():
     exercise, v = EXERCISES["planar_2r"], variant_of("planar_2r")
     pose, J = part_of(exercise, "planar_2r_pose"), part_of(exercise, "planar_2r_J_symbolic")
     own = {
-        pose.variable: declared(pose.answer, ["l1*cos(q1) + l2*cos(q1 + q2)", "l1*sin(q1) + l2*sin(q1 + q2)", "q1"], v)
+        pose.variable: pose.answer.declared(
+            ["l1*cos(q1) + l2*cos(q1 + q2)", "l1*sin(q1) + l2*sin(q1 + q2)", "q1"], v
+        )
     }
     fitting = told("planar_2r", {**own, J.variable: J.solve(v, own)})
     assert fitting[J.variable].ok
@@ -68,7 +69,9 @@ def test_an_exam_tells_shape_and_nothing_more():
 
 @pytest.mark.parametrize("consistency", [True, False])
 def test_what_cannot_be_read_says_why(consistency):
-    found = told("rrt", {"rrt_dh": Raw("missing"), "rrt_J": np.full((6, 3), np.nan)}, consistency=consistency)
+    found = told(
+        "rrt", {"rrt_dh": Raw("missing"), "rrt_J": np.full((6, 3), np.nan)}, consistency=consistency
+    )
     assert found["rrt_dh"].text == "not answered"
     assert "NaN" in found["rrt_J"].text
 

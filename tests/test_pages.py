@@ -16,10 +16,19 @@ from kinegrade.course.gradebook import Mark
 from kinegrade.course.grading import Result
 from kinegrade.course.marks import answer_id, with_marks
 from kinegrade.course.pages import write_feedback, write_report
-from kinegrade.exercises.exercise import Choice, Conditions, Formulas, Function, Manual, Numbers, TableOf, references
-from kinegrade.grader.mark import mark
-from kinegrade.grader.verdict import Finding, Verdict, not_graded
-from kinegrade.grader.wire import Raw
+from kinegrade.exercises.exercise import (
+    Choice,
+    Conditions,
+    Formulas,
+    Function,
+    Manual,
+    Numbers,
+    TableOf,
+    references,
+)
+from kinegrade.grader.collecting.wire import Raw
+from kinegrade.grader.marking.mark import mark
+from kinegrade.grader.marking.verdict import Finding, Verdict, not_graded
 
 ADA = Student("ada", "Ada Lovelace")
 NASTY = "<script>alert('x')</script>\"><img src=x onerror=y> & {{ 7 * 7 }} \ud800"
@@ -56,15 +65,22 @@ def course(tmp_path):
 
 def feedback(course, exercise, verdicts, student=ADA):
     path = write_feedback(
-        course, sheet(exercises=(exercise.slug,)), [exercise], Result(student, "one", tuple(verdicts))
+        course,
+        sheet(exercises=(exercise.slug,)),
+        [exercise],
+        Result(student, "one", tuple(verdicts)),
     )
     assert path == course.folder / "feedback" / student.id / "one.html"
     return path.read_text(encoding="utf-8")
 
 
 def report(course, exercises, results, monkeypatch):
-    monkeypatch.setattr(pages, "_figure", lambda _, name: {"file": f"{name}.png", "title": name, "alt": "a map"})
-    path = write_report(course, [(sheet(exercises=tuple(e.slug for e in exercises)), exercises, results)])
+    monkeypatch.setattr(
+        pages, "_figure", lambda _, name: {"file": f"{name}.png", "title": name, "alt": "a map"}
+    )
+    path = write_report(
+        course, [(sheet(exercises=tuple(e.slug for e in exercises)), exercises, results)]
+    )
     assert path == course.folder / "report" / "index.html"
     return path.read_text(encoding="utf-8")
 
@@ -99,7 +115,9 @@ def count_of(part, answer):
         return 0
     if isinstance(part.answer, TableOf):
         return 4 * len(part.answer.kinds)
-    return len(answer) if isinstance(part.answer, Conditions) else math.prod(np.shape(answer) or (1,))
+    return (
+        len(answer) if isinstance(part.answer, Conditions) else math.prod(np.shape(answer) or (1,))
+    )
 
 
 def test_the_matrices_show_the_students_own_entries_marked_right_or_wrong(course, exercise):
@@ -112,7 +130,10 @@ def test_the_matrices_show_the_students_own_entries_marked_right_or_wrong(course
             answers[part.variable].flat[0] = 123.4567
         elif isinstance(part.answer, Formulas):
             answers[part.variable] = answers[part.variable].text()  # as typed
-    own = {**answers, **{name: np.array(text) for name, text in answers.items() if isinstance(text, list)}}
+    own = {
+        **answers,
+        **{name: np.array(text) for name, text in answers.items() if isinstance(text, list)},
+    }
     verdicts = mark(exercise, v, raws_of(exercise, v, answers))
     shown = cells(feedback(course, exercise, verdicts))
     assert [right for right, cell in shown if cell.startswith("123")] == [False] * len(numeric)
@@ -127,7 +148,9 @@ def test_feedback_never_prints_a_reference_value(course, exercise):
         answers = references(exercise, v)
         for part in exercise.asked:
             if not isinstance(part.answer, Choice):  # its options stand on the page, all of them
-                told = telling(part, answers[part.variable], v) - telling(part, own[part.variable], v)
+                told = telling(part, answers[part.variable], v) - telling(
+                    part, own[part.variable], v
+                )
                 assert [secret for secret in told if secret in text] == []
 
 
@@ -144,7 +167,9 @@ def one(course, slug, variable, raw, seed=0):
 
 
 @pytest.mark.parametrize("right", [True, False])
-def test_a_choice_is_shown_with_its_options_the_students_letter_and_whether_it_is_right(course, right):
+def test_a_choice_is_shown_with_its_options_the_students_letter_and_whether_it_is_right(
+    course, right
+):
     exercise, v = EXERCISES["find_the_mistake"], variant_of("find_the_mistake")
     part = part_of(exercise, "find_the_mistake_name")
     reference = references(exercise, v)[part.variable]
@@ -183,13 +208,19 @@ def test_a_function_is_told_group_by_group(course):
     reference = references(exercise, v)[part.variable]
     planar, *others = groups
     calls = [Raw("num", reference(*call)) for call in groups[planar]]
-    calls += [Raw("error", f"call {i}: <b>IndexError</b>") for name in others for i, _ in enumerate(groups[name])]
+    calls += [
+        Raw("error", f"call {i}: <b>IndexError</b>")
+        for name in others
+        for i, _ in enumerate(groups[name])
+    ]
     text = one(course, exercise.slug, part.variable, Raw("calls", calls))
     said = [unescape(line) for line in re.findall(r"<li>([^<]*)</li>", text)]
     assert [line.partition(":")[0] for line in said[: len(groups)]] == list(groups)
     assert said[0] == f"{planar}: {len(groups[planar])} of {len(groups[planar])} right."
     for name, line in zip(others, said[1:], strict=False):
-        assert line.startswith(f"{name}: 0 of {len(groups[name])} right; the first that is not gave: <b>")
+        assert line.startswith(
+            f"{name}: 0 of {len(groups[name])} right; the first that is not gave: <b>"
+        )
         assert "<b>IndexError</b>" in line
     assert "<table" not in text
     assert f"{part.points / len(groups):g} of {part.points:g} points" in text
@@ -233,7 +264,11 @@ def test_names_findings_and_answers_are_escaped(course):
 
 def test_what_is_private_stands_in_the_report_and_not_in_the_feedback(course, monkeypatch):
     exercise = EXERCISES["rrt"]
-    verdicts = (Verdict("rrt_dh", "incorrect", 0.0, 3, (Finding("like ben's", private=True), Finding("open"))),)
+    verdicts = (
+        Verdict(
+            "rrt_dh", "incorrect", 0.0, 3, (Finding("like ben's", private=True), Finding("open"))
+        ),
+    )
     assert "like ben's" not in Page(feedback(course, exercise, verdicts)).text
     page = Page(report(course, [exercise], [Result(ADA, "one", verdicts)], monkeypatch))
     assert "For you only: like ben's" in page.text
@@ -254,7 +289,9 @@ def test_what_waits_is_said_and_is_no_zero(course):
 def test_the_report_counts_the_class_and_links_its_feedback(course, monkeypatch):
     exercise = EXERCISES["rrt"]
     results = [
-        Result(ADA, "one", (Verdict("rrt_dh", "correct", 3.0, 3), Verdict("rrt_T", "missing", 0.0, 3))),
+        Result(
+            ADA, "one", (Verdict("rrt_dh", "correct", 3.0, 3), Verdict("rrt_T", "missing", 0.0, 3))
+        ),
         Result(Student("ben", NASTY), "one", (not_graded("rrt_dh", 3, NASTY),)),
         Result(Student("cyd", "Cyd"), "one", reason="no submission"),
     ]
@@ -279,8 +316,8 @@ def test_a_map_is_drawn_once_per_version(tmp_path, monkeypatch):
         drawn.append(arm.name)
         path.write_bytes(b"png")
 
-    monkeypatch.setattr("kinegrade.grader.maps.save", save)
-    monkeypatch.setattr("kinegrade.grader.maps.describe", lambda arm: f"map of {arm.name}")
+    monkeypatch.setattr("kinegrade.grader.figures.maps.save", save)
+    monkeypatch.setattr("kinegrade.grader.figures.maps.describe", lambda arm: f"map of {arm.name}")
     figures = [pages._figure(tmp_path / "report", "planar_2r") for _ in range(2)]
     assert drawn == ["planar_2r"]
     assert figures[0] == figures[1]
@@ -292,8 +329,10 @@ def test_a_map_is_drawn_once_per_version(tmp_path, monkeypatch):
 
 def test_a_map_without_its_description_is_drawn_again(tmp_path, monkeypatch):
     monkeypatch.setattr(pages, "version", lambda _: "1")
-    monkeypatch.setattr("kinegrade.grader.maps.save", lambda _, path: path.write_bytes(b"whole"))
-    monkeypatch.setattr("kinegrade.grader.maps.describe", lambda _: "a map")
+    monkeypatch.setattr(
+        "kinegrade.grader.figures.maps.save", lambda _, path: path.write_bytes(b"whole")
+    )
+    monkeypatch.setattr("kinegrade.grader.figures.maps.describe", lambda _: "a map")
     (tmp_path / "planar_2r-1.png").write_bytes(b"ha")
     pages._figure(tmp_path, "planar_2r")
     assert (tmp_path / "planar_2r-1.png").read_bytes() == b"whole"

@@ -45,7 +45,13 @@ def said(question, solve=lambda arm: arm.J[:2]):
 
 
 def made(*parts, **more):
-    plain = {"title": "T", "source": "S", "robot": PLANAR, "draw": draw, "units": {"qdot": ["rad/s"] * 2}}
+    plain = {
+        "title": "T",
+        "source": "S",
+        "robot": PLANAR,
+        "draw": draw,
+        "units": {"qdot": ["rad/s"] * 2},
+    }
     return exercise("made", parts=parts, **(plain | more))
 
 
@@ -74,7 +80,12 @@ def test_names_are_variables_and_parameters_are_needs():
 
 def test_units_and_size_of_a_robot_are_known():
     made_here = made(J)
-    assert made_here.units == {"l1": "m", "l2": "m", "q": ["rad", "rad"], "qdot": ["rad/s", "rad/s"]}
+    assert made_here.units == {
+        "l1": "m",
+        "l2": "m",
+        "q": ["rad", "rad"],
+        "qdot": ["rad/s", "rad/s"],
+    }
     assert made_here.scale(V) == pytest.approx(1.5)
     assert "standard" in made_here.statement(V)
     assert len(made_here.drawings(V)) == 1
@@ -117,7 +128,9 @@ def test_a_number_that_a_variant_lacks_is_named():
         """The reach"""
         return a9
 
-    with pytest.raises(ExerciseError, match=r"a9 is not among the numbers of this variant.*a9=0\.0"):
+    with pytest.raises(
+        ExerciseError, match=r"a9 is not among the numbers of this variant.*a9=0\.0"
+    ):
         references(made(reach, units={"a9": "m", "qdot": ["rad/s"] * 2}), V)
 
 
@@ -146,7 +159,11 @@ def test_a_parameter_that_stands_for_nothing_is_refused_with_the_nearest_name():
         """The speed"""
         return J @ qdt
 
-    refused(J, rate, match=r"made: rate takes 'qdt', which is no name on the sheet; did you mean 'qdot'\?")
+    refused(
+        J,
+        rate,
+        match=r"made: rate takes 'qdt', which is no name on the sheet; did you mean 'qdot'\?",
+    )
 
 
 def test_a_later_part_is_no_name_yet():
@@ -176,17 +193,23 @@ def test_mistakes_checks_and_shown_values_are_looked_at_too():
     refused(with_(mistakes=[("x", lambda ar: ar)]), match=r"mistake 1 of J takes 'ar'.*'arm'")
     refused(with_(check=lambda values: values), match="the check of J takes 'values'.*'value'")
     refused(with_(shows={"how": lambda x: x}), match="'how', shown in the solution of J, takes 'x'")
-    refused(with_(), match=r"the solution of J shows <how>, which is no value here; there are: J, l1")
+    refused(
+        with_(), match=r"the solution of J shows <how>, which is no value here; there are: J, l1"
+    )
 
 
 def test_a_mistake_takes_no_part_that_its_part_does_not_need():
-    wrong = part(1, Numbers((2,), "m/s"), mistakes=[("x", lambda J: J[0])])(lambda qdot: qdot).called("rates")
+    wrong = part(1, Numbers((2,), "m/s"), mistakes=[("x", lambda J: J[0])])(
+        lambda qdot: qdot
+    ).called("rates")
     refused(J, wrong, match="mistake 1 of rates takes 'J', which rates itself does not take")
 
 
 def test_a_drawn_number_that_stands_nowhere_is_refused_on_the_day_of_the_draw():
     bad = made(J, draw=lambda _: V | {"qdott": 1.0})
-    with pytest.raises(ExerciseError, match=r"draw returns 'qdott'.*neither in units.*is 'qdot' there meant"):
+    with pytest.raises(
+        ExerciseError, match=r"draw returns 'qdott'.*neither in units.*is 'qdot' there meant"
+    ):
         bad.draw(np.random.default_rng(0))
 
 
@@ -202,8 +225,13 @@ def test_without_a_robot_there_is_no_arm_no_statement_and_no_size():
 
 
 def test_a_function_of_star_parameters_is_refused():
-    refused(part(1, Numbers((2,), "1"))(lambda *many: many).called("x"), match="takes parameters that are names")
-    with pytest.raises(ExerciseError, match="mistake 1 of same takes a function of names on the sheet, got 3"):
+    refused(
+        part(1, Numbers((2,), "1"))(lambda *many: many).called("x"),
+        match="takes parameters that are names",
+    )
+    with pytest.raises(
+        ExerciseError, match="mistake 1 of same takes a function of names on the sheet, got 3"
+    ):
         made(part(1, Numbers((2,), "1"), mistakes=[("x", 3)])(lambda qdot: qdot).called("same"))
 
 
@@ -230,7 +258,9 @@ def test_conditions_and_formulas_are_shown_as_formulas():
 
 def test_an_array_has_no_place_in_a_text():
     bad = part(2, Numbers((2, 2), "m/rad"), shows={"how": lambda J: J})(J.solve)
-    with pytest.raises(ExerciseError, match="<how> stands in a text, which takes text or a number, got ndarray"):
+    with pytest.raises(
+        ExerciseError, match="<how> stands in a text, which takes text or a number, got ndarray"
+    ):
         explained(made(bad))
 
 
@@ -265,4 +295,7 @@ def test_a_joint_condition_is_shown_whole():
 
     text, shown = explained(made(singular))
     assert text.text == "They are:"
-    assert {str(equation) for equation in shown.formula.args} == {"Eq(sin(q1), 0)", "Eq(sin(q2), 0)"}
+    assert {str(equation) for equation in shown.formula.args} == {
+        "Eq(sin(q1), 0)",
+        "Eq(sin(q2), 0)",
+    }

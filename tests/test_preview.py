@@ -6,10 +6,10 @@ from pathlib import Path
 import pytest
 from answers import EXERCISES, SLUGS
 from kinegrade.course.markdown import markdown_html
-from kinegrade.course.preview import preview_page
-from kinegrade.course.validate import validate_file
-from kinegrade.exercises.catalogue import exercise_files
+from kinegrade.course.proof.preview import preview_page
+from kinegrade.course.proof.validate import validate_file
 from kinegrade.exercises.exercise import Manual
+from kinegrade.exercises.files.finding import exercise_files
 
 
 def test_a_new_exercise_is_valid_as_it_stands(kinegrade, tmp_path):
@@ -39,12 +39,20 @@ def test_a_preview_shows_sheet_solution_and_every_known_mistake(slug):
     exercise = EXERCISES[slug]
     html = preview_page(exercise, 1)
     assert html.count("<summary>Worked solution</summary>") == len(exercise.asked)
-    assert not re.search(r"\$|@[a-z]+@|<[a-z_]+_[a-z]+>", re.sub(r"<pre>.*?</pre>", "", html, flags=re.DOTALL))
+    assert not re.search(
+        r"\$|@[a-z]+@|<[a-z_]+_[a-z]+>", re.sub(r"<pre>.*?</pre>", "", html, flags=re.DOTALL)
+    )
     for part in exercise.asked:
         assert f"<code>{part.variable}</code>" in html
-    shown = html.count('<section class="part incorrect">') + html.count('<section class="part partly">')
-    shown += html.count('<section class="part failed">') + html.count('<section class="part correct">')
-    assert shown == sum(len(part.mistakes) for part in exercise.asked if not isinstance(part.answer, Manual))
+    shown = html.count('<section class="part incorrect">') + html.count(
+        '<section class="part partly">'
+    )
+    shown += html.count('<section class="part failed">') + html.count(
+        '<section class="part correct">'
+    )
+    assert shown == sum(
+        len(part.mistakes) for part in exercise.asked if not isinstance(part.answer, Manual)
+    )
     assert '<section class="part correct">' not in html
     assert "http" not in re.sub(r"http://www.w3.org/\S+", "", html)
 

@@ -23,7 +23,13 @@ from kinegrade.solutions.inverse import displacement, inverse_kinematics
 from kinegrade.solutions.jacobian import at_point, in_axes, jacobian
 from kinegrade.solutions.kinematics import forward, frames
 from kinegrade.solutions.rotation import vector_rotation
-from kinegrade.solutions.velocity import damped_inverse, joint_rates, null_projector, pseudoinverse, twist
+from kinegrade.solutions.velocity import (
+    damped_inverse,
+    joint_rates,
+    null_projector,
+    pseudoinverse,
+    twist,
+)
 
 STEP = 1e-3
 Arm = tuple[Chain, Array]
@@ -41,7 +47,9 @@ def arms(draw: st.DrawFn, least: int = 1, most: int = 12) -> Arm:
     kinds = "".join(draw(st.lists(st.sampled_from("RRP"), min_size=least, max_size=most)))
     table = [[draw(angles), draw(lengths), draw(lengths), draw(angles)] for _ in kinds]
     build = draw(st.sampled_from([from_standard, from_modified]))
-    return build(table, kinds, base=draw(poses), tool=draw(poses)), np.array([draw(angles) for _ in kinds])
+    return build(table, kinds, base=draw(poses), tool=draw(poses)), np.array(
+        [draw(angles) for _ in kinds]
+    )
 
 
 def _transform(R: Array, p: Array) -> Array:
@@ -81,7 +89,9 @@ def plain(chain: Chain, q: Array) -> Array:
         _transform(vector_rotation([0, 0, x]), np.zeros(3)) if kind == "R" else elementary("Tz", x)
         for kind, x in zip(chain.kinds, q, strict=True)
     ]
-    return product([chain.fixed[0], *(m for E, C in zip(turned, chain.fixed[1:], strict=True) for m in (E, C))])
+    return product(
+        [chain.fixed[0], *(m for E, C in zip(turned, chain.fixed[1:], strict=True) for m in (E, C))]
+    )
 
 
 def magnitude(chain: Chain, q: Array) -> float:
@@ -94,7 +104,9 @@ def magnitude(chain: Chain, q: Array) -> float:
 @quick
 def test_the_jacobian_agrees_with_finite_differences(arm: Arm):
     chain, q = arm
-    np.testing.assert_allclose(jacobian(chain, q), differenced(chain, q), rtol=0, atol=1e-10 * magnitude(chain, q))
+    np.testing.assert_allclose(
+        jacobian(chain, q), differenced(chain, q), rtol=0, atol=1e-10 * magnitude(chain, q)
+    )
 
 
 @pytest.mark.parametrize("n", [1, 12])
@@ -107,7 +119,9 @@ def test_one_joint_and_twelve_are_as_good_as_six(n: int, data: st.DataObject):
     np.testing.assert_allclose(jacobian(chain, q), differenced(chain, q), rtol=0, atol=1e-10 * size)
     assert hessian(chain, q).shape == (6, n, n)
     xi = twist(chain, q, np.ones(n))
-    np.testing.assert_allclose(twist(chain, q, joint_rates(chain, q, xi)), xi, rtol=0, atol=1e-7 * size)
+    np.testing.assert_allclose(
+        twist(chain, q, joint_rates(chain, q, xi)), xi, rtol=0, atol=1e-7 * size
+    )
 
 
 @given(arms(), st.integers(1, 3))
@@ -131,7 +145,9 @@ def test_a_batch_gives_the_numbers_of_its_single_configurations(arm: Arm, count:
 
 @given(arms(), vectors, vectors)
 @quick
-def test_a_jacobian_at_any_point_in_any_axes_has_the_columns_of_its_definition(arm: Arm, w: Array, point: Array):
+def test_a_jacobian_at_any_point_in_any_axes_has_the_columns_of_its_definition(
+    arm: Arm, w: Array, point: Array
+):
     chain, q = arm
     R, reached = vector_rotation(w), frames(chain, q)[:-1]
     z, o = reached[:, :3, 2], reached[:, :3, 3]
@@ -144,14 +160,20 @@ def test_a_jacobian_at_any_point_in_any_axes_has_the_columns_of_its_definition(a
 
 @given(arms(), vectors, vectors, vectors, vectors)
 @quick
-def test_changes_of_axes_and_point_compose_and_have_inverses(arm: Arm, a: Array, b: Array, r: Array, s: Array):
+def test_changes_of_axes_and_point_compose_and_have_inverses(
+    arm: Arm, a: Array, b: Array, r: Array, s: Array
+):
     chain, q = arm
     J, A, B = jacobian(chain, q), vector_rotation(a), vector_rotation(b)
     tolerance = 1e-14 * magnitude(chain, q) * 10
     np.testing.assert_allclose(in_axes(in_axes(J, A), B), in_axes(J, A @ B), rtol=0, atol=tolerance)
     np.testing.assert_allclose(in_axes(in_axes(J, A), A.T), J, rtol=0, atol=tolerance)
-    np.testing.assert_allclose(at_point(at_point(J, r), s), at_point(J, r + s), rtol=0, atol=tolerance)
-    np.testing.assert_allclose(in_axes(at_point(J, r), A), at_point(in_axes(J, A), A.T @ r), rtol=0, atol=tolerance)
+    np.testing.assert_allclose(
+        at_point(at_point(J, r), s), at_point(J, r + s), rtol=0, atol=tolerance
+    )
+    np.testing.assert_allclose(
+        in_axes(at_point(J, r), A), at_point(in_axes(J, A), A.T @ r), rtol=0, atol=tolerance
+    )
 
 
 @given(arms())
@@ -163,7 +185,9 @@ def test_the_reversed_chain_sees_the_base_move_as_the_tool_does_not(arm: Arm):
     np.testing.assert_allclose(forward(backwards, -q[::-1]), inverted(T), rtol=0, atol=tolerance)
     # its joints run the other way, and so does the motion that it sees: the signs cancel
     found = jacobian(backwards, -q[::-1])[:, ::-1]
-    np.testing.assert_allclose(found, jacobian(chain, q, T[:3, :3], point="origin"), rtol=0, atol=tolerance)
+    np.testing.assert_allclose(
+        found, jacobian(chain, q, T[:3, :3], point="origin"), rtol=0, atol=tolerance
+    )
 
 
 @given(arms(), poses)
@@ -174,7 +198,9 @@ def test_a_twist_turns_with_its_base_and_does_not_see_where_it_stands(arm: Arm, 
     qdot, tolerance = np.cos(np.arange(chain.n)), 1e-13 * magnitude(chain, q)
     expected = in_axes(twist(chain, q, qdot)[:, None], placed[:3, :3].T)[:, 0]
     np.testing.assert_allclose(twist(moved, q, qdot), expected, rtol=0, atol=tolerance)
-    np.testing.assert_allclose(twist(moved, q, qdot, "tool"), twist(chain, q, qdot, "tool"), rtol=0, atol=tolerance)
+    np.testing.assert_allclose(
+        twist(moved, q, qdot, "tool"), twist(chain, q, qdot, "tool"), rtol=0, atol=tolerance
+    )
 
 
 @given(arms(), poses)
@@ -186,7 +212,10 @@ def test_another_tool_moves_the_point_by_its_offset(arm: Arm, tool: Array):
     expected, tolerance = at_point(jacobian(chain, q), offset), 1e-13 * magnitude(chain, q)
     np.testing.assert_allclose(jacobian(held, q), expected, rtol=0, atol=tolerance)
     np.testing.assert_allclose(
-        jacobian(chain, q, point=forward(chain, q)[:3, 3] + offset), expected, rtol=0, atol=tolerance
+        jacobian(chain, q, point=forward(chain, q)[:3, 3] + offset),
+        expected,
+        rtol=0,
+        atol=tolerance,
     )
 
 
@@ -200,7 +229,9 @@ def test_hessian_and_time_derivative_agree_with_finite_differences(arm: Arm):
         np.testing.assert_allclose(hessian(chain, q)[..., k], expected, rtol=0, atol=tolerance)
     qdot = np.cos(np.arange(chain.n))
     expected = slope(lambda x: jacobian(chain, x, "tool"), q, qdot)
-    np.testing.assert_allclose(jacobian_dot(chain, q, qdot, "tool"), expected, rtol=0, atol=100 * tolerance)
+    np.testing.assert_allclose(
+        jacobian_dot(chain, q, qdot, "tool"), expected, rtol=0, atol=100 * tolerance
+    )
 
 
 @pytest.mark.parametrize("scale", [1e6, 1e-6])
@@ -213,8 +244,12 @@ def test_huge_and_tiny_lengths_scale_the_linear_rows_and_nothing_else(scale: flo
     unit = np.where(slides, 1.0, scale) * np.array([1.0, 1, 1, 0, 0, 0])[:, None]
     unit += np.array([0.0, 0, 0, 1, 1, 1])[:, None]
     tolerance = 1e-13 * magnitude(chain, q)
-    np.testing.assert_allclose(jacobian(other, there) / unit, jacobian(chain, q), rtol=0, atol=tolerance)
-    np.testing.assert_allclose(forward(other, there)[:3, 3] / scale, forward(chain, q)[:3, 3], rtol=0, atol=tolerance)
+    np.testing.assert_allclose(
+        jacobian(other, there) / unit, jacobian(chain, q), rtol=0, atol=tolerance
+    )
+    np.testing.assert_allclose(
+        forward(other, there)[:3, 3] / scale, forward(chain, q)[:3, 3], rtol=0, atol=tolerance
+    )
 
 
 @pytest.mark.parametrize("n", [1, 3, 12])
@@ -241,7 +276,9 @@ FUNCTIONS: dict[str, Callable[[Chain, Any], Array]] = {
     "damped rates": lambda chain, q: joint_rates(chain, q, np.ones(6), damping=0.1, preferred=q),
     "analytic_jacobian": lambda chain, q: analytic_jacobian(chain, q, "ZYZ"),
 }
-SAMPLE = from_standard([[0, 0.4, 0.1, 1.2], [0.3, 0, 0.5, 0.2], [0, 0.2, 0, -1.1], [0.2, 0, 0.3, 0.8]], "RRPR")
+SAMPLE = from_standard(
+    [[0, 0.4, 0.1, 1.2], [0.3, 0, 0.5, 0.2], [0, 0.2, 0, -1.1], [0.2, 0, 0.3, 0.8]], "RRPR"
+)
 Q = np.random.default_rng(8).uniform(0.5, 2.5, (5, 4))
 every = pytest.mark.parametrize("name", FUNCTIONS)
 
@@ -266,7 +303,9 @@ def test_arrays_of_any_layout_are_read_and_never_written(name: str):
         np.testing.assert_array_equal(FUNCTIONS[name](SAMPLE, q), expected)
     np.testing.assert_array_equal(frozen, Q)
     one = np.broadcast_to(Q[0], (3, 4))
-    np.testing.assert_array_equal(FUNCTIONS[name](SAMPLE, one)[2], FUNCTIONS[name](SAMPLE, Q[:1])[0])
+    np.testing.assert_array_equal(
+        FUNCTIONS[name](SAMPLE, one)[2], FUNCTIONS[name](SAMPLE, Q[:1])[0]
+    )
 
 
 @every
@@ -303,11 +342,15 @@ def test_rates_of_least_squares_leave_only_what_no_joint_can_move(arm: Arm):
     if ((values > 1e-13 * values[0]) & (values < 1e-4 * values[0])).any():
         return  # too close to singular for a comparison of digits
     rates = joint_rates(chain, q, xi)
-    np.testing.assert_allclose(J.T @ (J @ rates - xi), 0, rtol=0, atol=1e-9 * magnitude(chain, q) ** 2)
+    np.testing.assert_allclose(
+        J.T @ (J @ rates - xi), 0, rtol=0, atol=1e-9 * magnitude(chain, q) ** 2
+    )
     N = null_projector(J)
     for found, expected in ((J @ N, 0 * J), (N @ N, N), (N.T, N)):
         np.testing.assert_allclose(found, expected, rtol=0, atol=1e-10 * magnitude(chain, q))
-    assert np.trace(N) == pytest.approx(chain.n - np.linalg.matrix_rank(J, tol=1e-8 * values[0]), abs=1e-8)
+    assert np.trace(N) == pytest.approx(
+        chain.n - np.linalg.matrix_rank(J, tol=1e-8 * values[0]), abs=1e-8
+    )
 
 
 @given(arms(), st.floats(1e-3, 10.0))
@@ -322,10 +365,14 @@ def test_damped_rates_solve_their_normal_equations_and_stay_bounded(arm: Arm, da
 
 @given(arms(most=7), st.integers(0, 2**32 - 1))
 @quick
-def test_inverse_kinematics_is_never_worse_than_its_start_and_says_what_it_reached(arm: Arm, seed: int):
+def test_inverse_kinematics_is_never_worse_than_its_start_and_says_what_it_reached(
+    arm: Arm, seed: int
+):
     chain, start = arm
     rng = np.random.default_rng(seed)
-    limits = np.stack([start - rng.uniform(0, 1, chain.n), start + rng.uniform(0, 1, chain.n)], axis=-1)
+    limits = np.stack(
+        [start - rng.uniform(0, 1, chain.n), start + rng.uniform(0, 1, chain.n)], axis=-1
+    )
     target = forward(chain, start + rng.normal(0, 0.3, chain.n))
     found = inverse_kinematics(chain, target, start, limits=limits, iterations=40)
     missing = displacement(forward(chain, found.q), target)
@@ -344,4 +391,6 @@ def test_the_pseudoinverse_of_a_transpose_is_the_transposed_pseudoinverse(arm: A
     J = jacobian(*arm)
     values = np.linalg.svd(J, compute_uv=False)
     if not ((values > 1e-13 * values[0]) & (values < 1e-4 * values[0])).any():
-        np.testing.assert_allclose(pseudoinverse(J.T), pseudoinverse(J).T, rtol=0, atol=1e-8 / values[0])
+        np.testing.assert_allclose(
+            pseudoinverse(J.T), pseudoinverse(J).T, rtol=0, atol=1e-8 / values[0]
+        )

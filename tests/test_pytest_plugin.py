@@ -16,12 +16,23 @@ def folder(tmp_path):
     """A folder with one exercise, a module beside it, and no course.toml."""
     (tmp_path / "exercises").mkdir()
     (tmp_path / "exercises" / "lever.py").write_text(LEVER, encoding="utf-8")
-    (tmp_path / "exercises" / "notes.py").write_text("raise RuntimeError('no exercise is here')\n", encoding="utf-8")
+    (tmp_path / "exercises" / "notes.py").write_text(
+        "raise RuntimeError('no exercise is here')\n", encoding="utf-8"
+    )
     return tmp_path
 
 
 def run(folder, *arguments):
-    command = [sys.executable, "-m", "pytest", "-p", "no:cacheprovider", "-p", "no:xdist", *map(str, arguments)]
+    command = [
+        sys.executable,
+        "-m",
+        "pytest",
+        "-p",
+        "no:cacheprovider",
+        "-p",
+        "no:xdist",
+        *map(str, arguments),
+    ]
     return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
 
 

@@ -3,16 +3,16 @@
 import numpy as np
 import pytest
 from answers import raws
-from kinegrade.course.validate import validate_file
+from kinegrade.course.proof.validate import validate_file
 from kinegrade.exercises import questions as ask
 from kinegrade.exercises.answers import TableOf
 from kinegrade.exercises.arm import Arm
-from kinegrade.exercises.catalogue import load
+from kinegrade.exercises.contract.introduction import introduction
 from kinegrade.exercises.draws import parallel_groups, posture
 from kinegrade.exercises.exercise import ExerciseError, references
-from kinegrade.exercises.introduction import introduction
+from kinegrade.exercises.files.finding import load
 from kinegrade.exercises.part import exercise
-from kinegrade.grader.mark import mark
+from kinegrade.grader.marking.mark import mark
 from kinegrade.solutions.jacobian import jacobian
 from kinegrade.solutions.robots import ROBOTS
 
@@ -21,9 +21,9 @@ FILE = '''"""Ready-made questions for one robot."""
 import numpy as np
 from kinegrade.exercises import questions as ask
 from kinegrade.exercises.draws import posture, rates
-from kinegrade.exercises.introduction import introduction
+from kinegrade.exercises.contract.introduction import introduction
 from kinegrade.exercises.part import exercise
-from kinegrade.exercises.twists import rate_units, twist_units, wrench_units
+from kinegrade.exercises.calculations.twists import rate_units, twist_units, wrench_units
 from kinegrade.solutions.robots import ROBOTS
 
 ROBOT = ROBOTS["@ROBOT@"]
@@ -59,7 +59,11 @@ FIRST = {"linear, angular": "(0, 1, 2, 3, 4, 5)", "angular, linear": "(3, 4, 5, 
 
 
 def parts_for(robot):
-    last = f"ask.jacobian(point={robot.n}, rows='linear', name='J_last')" if robot.convention != "frames" else ""
+    last = (
+        f"ask.jacobian(point={robot.n}, rows='linear', name='J_last')"
+        if robot.convention != "frames"
+        else ""
+    )
     table = "ask.dh_table()" if robot.convention != "frames" else ""
     block = "ask.determinant(), ask.singular()" if robot.factors else ""
     linear = all(row < 3 for row in robot.task_rows)
@@ -109,7 +113,9 @@ def test_with_the_angular_rows_on_top_they_are_valid_too(tmp_path, name):
     np.testing.assert_allclose(got["ready_J_turned"], got["ready_J_tool"], atol=1e-12)
     np.testing.assert_allclose(got["ready_J_moved"], got["ready_J_origin"], atol=1e-12)
     wrench = np.array(v["wrench"])
-    np.testing.assert_allclose(got["ready_tau"], J[:3].T @ wrench[3:] + J[3:].T @ wrench[:3], atol=1e-12)
+    np.testing.assert_allclose(
+        got["ready_tau"], J[:3].T @ wrench[3:] + J[3:].T @ wrench[:3], atol=1e-12
+    )
     whole = next(part for part in made.parts if part.variable == "ready_J")
     assert "angular rows above linear rows" in whole.prompt
 
@@ -117,7 +123,13 @@ def test_with_the_angular_rows_on_top_they_are_valid_too(tmp_path, name):
 def made_of(name, *parts, **more):
     robot = ROBOTS[name]
     return exercise(
-        "made", title="T", source="S", robot=robot, draw=lambda rng: posture(robot, rng), parts=parts, **more
+        "made",
+        title="T",
+        source="S",
+        robot=robot,
+        draw=lambda rng: posture(robot, rng),
+        parts=parts,
+        **more,
     )
 
 
@@ -147,8 +159,15 @@ def test_a_jacobian_follows_from_own_transforms_and_torques_from_an_own_jacobian
 
 
 def test_jacobians_in_other_frames_follow_from_an_own_pose_and_jacobian():
-    made = made_of("rrt_offset", ask.pose(), ask.jacobian(), ask.to_tool_axes(), ask.to_base_origin())
-    assert [part.needs for part in made.parts] == [(), (), ("made_T", "made_J"), ("made_T", "made_J")]
+    made = made_of(
+        "rrt_offset", ask.pose(), ask.jacobian(), ask.to_tool_axes(), ask.to_base_origin()
+    )
+    assert [part.needs for part in made.parts] == [
+        (),
+        (),
+        ("made_T", "made_J"),
+        ("made_T", "made_J"),
+    ]
     v = made.draw(np.random.default_rng(1))
     right = references(made, v)
     own = dict(right)
@@ -162,7 +181,10 @@ def test_jacobians_in_other_frames_follow_from_an_own_pose_and_jacobian():
 
 
 def test_a_slide_taken_for_a_turning_joint_is_named_by_its_number_where_it_is_the_only_one():
-    for name, words in (("rrt_offset", "Column 3 looks as if joint 3"), ("rpp_cylindrical", "A prismatic column")):
+    for name, words in (
+        ("rrt_offset", "Column 3 looks as if joint 3"),
+        ("rpp_cylindrical", "A prismatic column"),
+    ):
         made = made_of(name, ask.jacobian())
         assert any(mistake.sentence.startswith(words) for mistake in made.parts[0].mistakes)
 
@@ -208,7 +230,9 @@ def test_what_does_not_fit_the_robot_is_refused_when_the_file_loads(question, ma
 
 def test_formulas_are_asked_of_drawn_lengths_only():
     robot = ROBOTS["puma560"]
-    with pytest.raises(ExerciseError, match=r"determinant takes an arm whose lengths are drawn.*a2, a3, d4"):
+    with pytest.raises(
+        ExerciseError, match=r"determinant takes an arm whose lengths are drawn.*a2, a3, d4"
+    ):
         exercise(
             "made",
             title="T",
@@ -225,7 +249,10 @@ def test_postures_are_regular_within_limits_and_clear_of_right_angles(name):
     for seed in range(5):
         v = posture(robot, np.random.default_rng(seed))
         assert not robot.outside(v["q"])
-        for group in [*parallel_groups(robot), *((i,) for i, kind in enumerate(robot.kinds) if kind == "R")]:
+        for group in [
+            *parallel_groups(robot),
+            *((i,) for i, kind in enumerate(robot.kinds) if kind == "R"),
+        ]:
             total = np.degrees(sum(v["q"][i] for i in group)) % 90
             assert 9.5 < total < 80.5
 
@@ -280,7 +307,10 @@ MODIFIED = 'robot_from_table([("q1", "d1", "0", "0"), ("q2", "a2", "0", "pi/2"),
     ("arm", "units"),
     [
         (f'{ROWS}{{"d1": 0.4, "a2": 0.3}})', '["rad/s", "rad/s", "m/s"]'),
-        (f'{MODIFIED}{{"d1": 0.4, "a2": 0.3}}, convention="modified")', '["rad/s", "rad/s", "m/s"]'),
+        (
+            f'{MODIFIED}{{"d1": 0.4, "a2": 0.3}}, convention="modified")',
+            '["rad/s", "rad/s", "m/s"]',
+        ),
         (f"robot_from_urdf({URDF!r})", '["rad/s", "m/s"]'),
     ],
     ids=["standard table", "modified table", "URDF"],

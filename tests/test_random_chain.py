@@ -45,5 +45,7 @@ def test_neighbouring_axes_are_oblique_and_links_have_the_stated_lengths():
 
 @pytest.mark.parametrize("pattern", ["", "RRX", "rr", "R R"])
 def test_another_pattern_is_refused_with_a_sentence(pattern: str):
-    with pytest.raises(ChainError, match=f"pattern takes one letter R or P for each joint, got '{pattern}'"):
+    with pytest.raises(
+        ChainError, match=f"pattern takes one letter R or P for each joint, got '{pattern}'"
+    ):
         random_chain(pattern, np.random.default_rng(0))

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from answers import raw, variant_of
 from kinegrade.exercises.exercise import Numbers, TableOf
-from kinegrade.grader.read import read
-from kinegrade.grader.unreadable import Unreadable
-from kinegrade.grader.wire import Raw
+from kinegrade.grader.collecting.wire import Raw
+from kinegrade.grader.kinds.markers import read
+from kinegrade.grader.reading.unreadable import Unreadable
 
 V = {"d1": 0.5, "a1": 0.3, "q": [0.4, 0.6, 0.7]}
 TABLE = TableOf(("d1", "a1", "d2"), "RRP")
@@ -61,12 +61,22 @@ def test_other_values_are_refused_with_what_they_are(given, words):
 
 def test_a_table_is_read_from_text_and_from_numbers():
     typed = read(TABLE, raw([[str(cell) for cell in row] for row in RIGHT]), V)
-    numbers = read(TABLE, raw(np.array([[0.4, 0.5, 0.3, -np.pi / 2], [0.6, 0, 0, np.pi / 2], [0, 0.7, 0, 0]])), V)
-    mixed = read(TABLE, raw([["0.4", "d1", "0.3", "-pi/2"], ["q2", "0", "0", "1.5707963"], ["0", "0.7", "0", "0"]]), V)
+    numbers = read(
+        TABLE,
+        raw(np.array([[0.4, 0.5, 0.3, -np.pi / 2], [0.6, 0, 0, np.pi / 2], [0, 0.7, 0, 0]])),
+        V,
+    )
+    mixed = read(
+        TABLE,
+        raw([["0.4", "d1", "0.3", "-pi/2"], ["q2", "0", "0", "1.5707963"], ["0", "0.7", "0", "0"]]),
+        V,
+    )
     lengths = {"d1": 0.5, "a1": 0.3}
     for table in (typed, numbers, mixed):
         assert table.kinds == "RRP"
-        np.testing.assert_allclose(table.frames(lengths, V["q"]), typed.frames(lengths, V["q"]), atol=1e-6)
+        np.testing.assert_allclose(
+            table.frames(lengths, V["q"]), typed.frames(lengths, V["q"]), atol=1e-6
+        )
 
 
 @pytest.mark.parametrize(
@@ -76,12 +86,18 @@ def test_a_table_is_read_from_text_and_from_numbers():
         ([row[:3] for row in RIGHT], "rows of [3, 3, 3] cells"),
         ("q1", "takes 3 rows of theta, d, a, alpha, got rows of [1] cells"),
         ("[[q1, d1, a1, 0], [q2, 0, 0, 0]]", "got rows of [4, 4] cells"),
-        ([["q1", "d1", "a1", "-pi/2"], ["pi/2", "0", "0", "pi/2"], ["0", "q3", "0", "0"]], "row 2: q2 takes a place"),
+        (
+            [["q1", "d1", "a1", "-pi/2"], ["pi/2", "0", "0", "pi/2"], ["0", "q3", "0", "0"]],
+            "row 2: q2 takes a place",
+        ),
         ([["q1", "d7", "a1", "0"], ["q2", "0", "0", "0"], ["0", "q3", "0", "0"]], "d7"),
         ([["q1", "d2", "a1", "0"], ["q2", "0", "0", "0"], ["0", "q3", "0", "0"]], "d2"),
         ([["2*q1", "d1", "a1", "0"], ["q2", "0", "0", "0"], ["0", "q3", "0", "0"]], "factor 1"),
         ([["q1 +", "d1", "a1", "0"], ["q2", "0", "0", "0"], ["0", "q3", "0", "0"]], "row 1, theta"),
-        ([["__import__('os')", "d1", "a1", "0"], ["q2", "0", "0", "0"], ["0", "q3", "0", "0"]], "row 1, theta"),
+        (
+            [["__import__('os')", "d1", "a1", "0"], ["q2", "0", "0", "0"], ["0", "q3", "0", "0"]],
+            "row 1, theta",
+        ),
         ([["q1", "9**9**9", "a1", "0"], ["q2", "0", "0", "0"], ["0", "q3", "0", "0"]], "row 1, d"),
     ],
 )
@@ -98,15 +114,21 @@ def test_numbers_that_are_no_table_are_refused():
         read(TABLE, raw(np.zeros((2, 4))), variant_of("rrt"))
 
 
-@pytest.mark.parametrize("cell", [repr(0.4 + 1e-16), "0.39999999999999997", repr(0.4 + np.pi / 2), repr(0.4 - np.pi)])
+@pytest.mark.parametrize(
+    "cell", [repr(0.4 + 1e-16), "0.39999999999999997", repr(0.4 + np.pi / 2), repr(0.4 - np.pi)]
+)
 def test_a_number_in_theta_is_the_own_q_or_a_quarter_turn_from_it(cell):
-    table = read(TABLE, raw([[cell, "d1", "a1", "0"], ["q2", "0", "0", "6.1e-17"], ["0", "q3", "0", "0"]]), V)
+    table = read(
+        TABLE, raw([[cell, "d1", "a1", "0"], ["q2", "0", "0", "6.1e-17"], ["0", "q3", "0", "0"]]), V
+    )
     assert table.kinds == "RRP"
 
 
 def test_a_neighbours_number_in_theta_is_refused():
     with pytest.raises(Unreadable, match=r"row 1, theta: takes q1, or your value of it, got 0\.53"):
-        read(TABLE, raw([["0.53", "d1", "a1", "0"], ["q2", "0", "0", "0"], ["0", "q3", "0", "0"]]), V)
+        read(
+            TABLE, raw([["0.53", "d1", "a1", "0"], ["q2", "0", "0", "0"], ["0", "q3", "0", "0"]]), V
+        )
 
 
 @pytest.mark.parametrize("cell", ["d1/(d1 - d1)", "sqrt(-d1)"])
@@ -128,11 +150,21 @@ def test_a_sentence_about_a_table_stays_short():
 
 @pytest.mark.parametrize(
     ("cell", "plain"),
-    [("np.pi/2", "pi/2"), ("rrt_d1", "d1"), ("d_1", "d1"), ("-math.pi/2", "-pi/2"), ("2*rrt_a1 - d_1", "2*a1 - d1")],
+    [
+        ("np.pi/2", "pi/2"),
+        ("rrt_d1", "d1"),
+        ("d_1", "d1"),
+        ("-math.pi/2", "-pi/2"),
+        ("2*rrt_a1 - d_1", "2*a1 - d1"),
+    ],
 )
 def test_a_cell_may_be_written_as_in_the_notebook(cell, plain):
-    typed = read(TABLE, raw([["theta_1", cell, "0", "0"], ["th2", "0", "0", "0"], ["0", "q3", "0", "0"]]), V)
-    meant = read(TABLE, raw([["q1", plain, "0", "0"], ["q2", "0", "0", "0"], ["0", "q3", "0", "0"]]), V)
+    typed = read(
+        TABLE, raw([["theta_1", cell, "0", "0"], ["th2", "0", "0", "0"], ["0", "q3", "0", "0"]]), V
+    )
+    meant = read(
+        TABLE, raw([["q1", plain, "0", "0"], ["q2", "0", "0", "0"], ["0", "q3", "0", "0"]]), V
+    )
     assert typed.rows == meant.rows
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from kinegrade.exercises.arm import arm_of
-from kinegrade.exercises.readings import LINEAR, WHOLE, Speed, judged_rates, rates_for
+from kinegrade.exercises.calculations.readings import LINEAR, WHOLE, Speed, judged_rates, rates_for
 from kinegrade.solutions.jacobian import in_axes
 from kinegrade.solutions.robots import ROBOTS
 

@@ -2,7 +2,12 @@
 
 import numpy as np
 import pytest
-from kinegrade.exercises.redundant import gives_twist, judged_least, judged_null, judged_pseudoinverse
+from kinegrade.exercises.calculations.redundant import (
+    gives_twist,
+    judged_least,
+    judged_null,
+    judged_pseudoinverse,
+)
 from kinegrade.solutions.jacobian import jacobian
 from kinegrade.solutions.robots import ROBOTS
 

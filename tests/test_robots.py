@@ -107,13 +107,17 @@ def test_constant_and_factors_multiply_to_the_determinant_of_the_task_block(arm:
             product *= parse(factor.expression, arm.names).at(values) ** factor.power
         determinant = np.linalg.det(jacobian(arm.chain(parameters), q)[:, arm.task_rows, :])
         np.testing.assert_allclose(determinant, product, rtol=1e-9, atol=1e-14)
-        np.testing.assert_allclose(parse(arm.determinant, arm.names).at(values), product, rtol=1e-12, atol=1e-15)
+        np.testing.assert_allclose(
+            parse(arm.determinant, arm.names).at(values), product, rtol=1e-12, atol=1e-15
+        )
 
 
 def test_the_determinant_of_s0s_arm_is_6_roots_of_3_at_its_example():
     arm = robot("three_axis")
     values = valued(arm, {}, arm.pose("example"))
-    assert parse(arm.determinant, arm.names).at(values) == pytest.approx(6 * math.sqrt(3), rel=1e-14)
+    assert parse(arm.determinant, arm.names).at(values) == pytest.approx(
+        6 * math.sqrt(3), rel=1e-14
+    )
 
 
 @pytest.mark.parametrize(
@@ -141,7 +145,9 @@ def test_each_factor_has_a_name_of_its_own_and_vanishes_at_a_singular_posture(ar
 
 
 @pytest.mark.parametrize("degrees", [-87.308, 92.692])
-def test_the_elbow_of_the_puma_is_straight_or_folded_where_tan_q3_is_minus_d4_over_a3(degrees: float):
+def test_the_elbow_of_the_puma_is_straight_or_folded_where_tan_q3_is_minus_d4_over_a3(
+    degrees: float,
+):
     arm = robot("puma560")
     elbow = next(factor for factor in arm.factors if factor.name.startswith("elbow"))
     value = parse(elbow.expression, arm.names).at(arm.values() | {"q3": math.radians(degrees)})
@@ -163,7 +169,9 @@ def test_frames_have_the_joint_axes_and_end_in_the_tool(arm: Robot):
     chain, printed = arm.chain(parameters), arm.frames(parameters, q)
     reached = frames(chain, q)
     assert printed.shape == (6, arm.n + 1, 4, 4)
-    np.testing.assert_allclose(printed[..., :-1, :3, 2], reached[..., :-1, :3, 2], rtol=0, atol=1e-14)
+    np.testing.assert_allclose(
+        printed[..., :-1, :3, 2], reached[..., :-1, :3, 2], rtol=0, atol=1e-14
+    )
     np.testing.assert_allclose(printed[..., -1, :, :], reached[..., -1, :, :], rtol=0, atol=1e-14)
     offset = printed[..., :-1, :3, 3] - reached[..., :-1, :3, 3]
     np.testing.assert_allclose(np.cross(offset, reached[..., :-1, :3, 2]), 0, atol=1e-14)
@@ -230,19 +238,36 @@ def test_parameters_left_out_have_their_defaults(arm: Robot):
 @pytest.mark.parametrize(
     ("call", "sentence"),
     [
-        (lambda: robot("puma"), "robot takes one of planar_2r, .*, got 'puma'; the nearest is 'puma560'"),
-        (lambda: robot("puma560").chain({"A2": 1.0}), "puma560 takes one of d1, .*, got 'A2'; the nearest is 'a2'"),
+        (
+            lambda: robot("puma"),
+            "robot takes one of planar_2r, .*, got 'puma'; the nearest is 'puma560'",
+        ),
+        (
+            lambda: robot("puma560").chain({"A2": 1.0}),
+            "puma560 takes one of d1, .*, got 'A2'; the nearest is 'a2'",
+        ),
         (lambda: robot("puma560").frames({"q1": 1.0}, [0] * 6), "takes one of d1, .*, got 'q1'"),
-        (lambda: robot("puma560").chain({"a2": math.inf}), "parameter a2 of puma560 takes a finite number, got inf"),
+        (
+            lambda: robot("puma560").chain({"a2": math.inf}),
+            "parameter a2 of puma560 takes a finite number, got inf",
+        ),
         (lambda: robot("puma560").chain({"a2": "1"}), "takes a finite number, got '1'"),  # type: ignore[dict-item]
         (lambda: robot("puma560").chain({"a2": True}), "takes a finite number, got True"),
-        (lambda: robot("puma560").pose("qq"), "pose of puma560 takes one of qz, qr, qs, qn, example, got 'qq'"),
+        (
+            lambda: robot("puma560").pose("qq"),
+            "pose of puma560 takes one of qz, qr, qs, qn, example, got 'qq'",
+        ),
         (lambda: robot("scara").pose("qz"), "pose of scara takes no name, got 'qz'"),
-        (lambda: robot("panda").determinant, "determinant takes a robot with a factored task block, got panda"),
+        (
+            lambda: robot("panda").determinant,
+            "determinant takes a robot with a factored task block, got panda",
+        ),
         (lambda: robot("three_axis").table, "table takes a robot with a Denavit-Hartenberg table"),
     ],
 )
-def test_wrong_names_and_numbers_are_refused_with_a_sentence(call: Callable[[], object], sentence: str):
+def test_wrong_names_and_numbers_are_refused_with_a_sentence(
+    call: Callable[[], object], sentence: str
+):
     with pytest.raises(RobotError, match=sentence):
         call()
     assert issubclass(RobotError, KinegradeError)
@@ -260,12 +285,18 @@ def test_named_configurations_lie_within_the_limits(arm: Robot):
         q = arm.pose(name)
         assert q.shape == (arm.n,)
         for value, (low, high), kind in zip(q, arm.limits, arm.kinds, strict=True):
-            turns = (-2 * math.pi, 0, 2 * math.pi) if kind == "R" else (0,)  # qn of the Puma has 180 for -180
+            turns = (
+                (-2 * math.pi, 0, 2 * math.pi) if kind == "R" else (0,)
+            )  # qn of the Puma has 180 for -180
             assert any(low <= value + turn <= high for turn in turns), name
 
 
-@pytest.mark.parametrize(("name", "singular"), [("qz", True), ("qr", True), ("qs", True), ("qn", False)])
-def test_the_named_configurations_of_the_puma_are_wrist_singular_but_for_qn(name: str, singular: bool):
+@pytest.mark.parametrize(
+    ("name", "singular"), [("qz", True), ("qr", True), ("qs", True), ("qn", False)]
+)
+def test_the_named_configurations_of_the_puma_are_wrist_singular_but_for_qn(
+    name: str, singular: bool
+):
     arm = robot("puma560")
     assert (abs(np.linalg.det(jacobian(arm.chain(), arm.pose(name)))) < 1e-15) == singular
 
@@ -286,7 +317,9 @@ def test_a_base_transform_leads_in_chain_and_frames(name: str):
     length = next(iter(arm.parameters))
     based = replace(arm, base=(("Tz", "0.5"), ("Rx", "pi/3"), ("Ty", length)))
     base = steps_transform([("Tz", 0.5), ("Rx", math.pi / 3), ("Ty", arm.parameters[length])])
-    np.testing.assert_allclose(forward(based.chain(), q), base @ forward(arm.chain(), q), rtol=0, atol=1e-14)
+    np.testing.assert_allclose(
+        forward(based.chain(), q), base @ forward(arm.chain(), q), rtol=0, atol=1e-14
+    )
     np.testing.assert_allclose(based.frames({}, q), base @ arm.frames({}, q), rtol=0, atol=1e-14)
     longer = steps_transform([("Tz", 0.5), ("Rx", math.pi / 3), ("Ty", 2.0)])
     moved = longer @ forward(arm.chain({length: 2}), q)

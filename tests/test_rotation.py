@@ -13,10 +13,14 @@ DIRECTIONS = np.concatenate([np.eye(3), -np.eye(3), RNG.normal(size=(20, 3))])
 UNITS = DIRECTIONS / np.linalg.norm(DIRECTIONS, axis=1, keepdims=True)
 
 
-@pytest.mark.parametrize("angle", [0.0, 1e-300, 1e-12, 1e-7, 1e-3, 1.0, 3.0, math.pi - 1e-3, math.pi - 1e-7])
+@pytest.mark.parametrize(
+    "angle", [0.0, 1e-300, 1e-12, 1e-7, 1e-3, 1.0, 3.0, math.pi - 1e-3, math.pi - 1e-7]
+)
 def test_a_vector_comes_back_from_its_rotation(angle: float):
     vectors = angle * UNITS
-    np.testing.assert_allclose(rotation_vector(vector_rotation(vectors)), vectors, rtol=0, atol=1e-15 + 4e-16 * angle)
+    np.testing.assert_allclose(
+        rotation_vector(vector_rotation(vectors)), vectors, rtol=0, atol=1e-15 + 4e-16 * angle
+    )
 
 
 def test_a_half_turn_gives_one_of_the_two_opposite_vectors():
@@ -60,4 +64,6 @@ def test_a_vector_of_another_length_is_refused_with_a_sentence():
 
 def test_seven_digits_are_enough_for_a_rotation():
     R: Array = vector_rotation([0.3, -0.5, 0.8])
-    np.testing.assert_allclose(rotation_vector(R.astype(np.float32)), [0.3, -0.5, 0.8], rtol=0, atol=1e-6)
+    np.testing.assert_allclose(
+        rotation_vector(R.astype(np.float32)), [0.3, -0.5, 0.8], rtol=0, atol=1e-6
+    )

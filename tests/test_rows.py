@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 from courses import exercise_of
 from kinegrade.course.config import Sheet, Student
-from kinegrade.course.notebook import notebooks
-from kinegrade.course.starter_matlab import starter
-from kinegrade.course.validate import validate_file
+from kinegrade.course.proof.validate import validate_file
+from kinegrade.course.sheet.matlab import starter
+from kinegrade.course.sheet.notebook import notebooks
 from kinegrade.exercises.exercise import Formulas, Numbers, Part
-from kinegrade.grader.mark import mark
-from kinegrade.grader.wire import Raw
+from kinegrade.grader.collecting.wire import Raw
+from kinegrade.grader.marking.mark import mark
 from kinegrade.solutions.jacobian import jacobian
 from kinegrade.solutions.robots import ROBOTS
 
@@ -42,7 +42,13 @@ def drawn(rng):
 def screw(rows):
     """An exercise that asks for a Jacobian in that order of rows."""
     order = SWAP if rows == "angular, linear" else [*range(6)]
-    part = Part("t_J", "J?", 8, Numbers((6, 4), UNITS[rows]), lambda v, given: space_jacobian(v, given)[order])
+    part = Part(
+        "t_J",
+        "J?",
+        8,
+        Numbers((6, 4), UNITS[rows]),
+        lambda v, given: space_jacobian(v, given)[order],
+    )
     units = {**dict.fromkeys(("a1", "a2", "d4"), "m"), "q": ["rad", "rad", "m", "rad"]}
     return exercise_of(part, draw=drawn, units=units, rows=rows)
 
@@ -62,7 +68,10 @@ def markdown(*exercises):
 @pytest.mark.parametrize("rows", ORDERS)
 def test_the_sheet_says_the_order_of_its_exercises(rows):
     heading, *others = markdown(screw(rows), screw(rows))
-    assert f"Units are metres, radians and seconds. In every Jacobian and twist {SAYS[rows]}. Round only" in heading
+    assert (
+        f"Units are metres, radians and seconds. In every Jacobian and twist {SAYS[rows]}. Round only"
+        in heading
+    )
     assert [text for text in others if "stand above" in text] == []
 
 
@@ -103,15 +112,21 @@ def test_the_other_order_is_named_and_earns_nothing(rows):
 def test_formulas_in_the_other_order_are_named_too(rows):
     entries = ["l1*cos(q1)", "l1*sin(q1)", "0", "q1", "0", "1"]
     part = Part("t_J", "J?", 6, Formulas((6,), ("l1", "q1")), lambda *_: entries)
-    exercise = exercise_of(part, draw=lambda rng: {"l1": float(rng.uniform(0.2, 0.8)), "q": [0.4]}, units={}, rows=rows)
-    (found,) = mark(exercise, {"l1": 0.5, "q": [0.4]}, {"t_J": Raw("text", entries[3:] + entries[:3])})
+    exercise = exercise_of(
+        part, draw=lambda rng: {"l1": float(rng.uniform(0.2, 0.8)), "q": [0.4]}, units={}, rows=rows
+    )
+    (found,) = mark(
+        exercise, {"l1": 0.5, "q": [0.4]}, {"t_J": Raw("text", entries[3:] + entries[:3])}
+    )
     first, second = rows.split(", ")
     assert f"The {second} rows seem to stand above the {first} ones" in found.findings[0].text
 
 
 def test_six_rates_have_no_rows_to_be_swapped():
     part = Part("t_q", "q?", 6, Numbers((6,), "rad/s"), lambda v, _: v["x"] * np.arange(1.0, 7.0))
-    (found,) = mark(exercise_of(part), {"x": 0.5}, {"t_q": Raw("num", 0.5 * np.array([4, 5, 6, 1, 2, 3.0]))})
+    (found,) = mark(
+        exercise_of(part), {"x": 0.5}, {"t_q": Raw("num", 0.5 * np.array([4, 5, 6, 1, 2, 3.0]))}
+    )
     assert [finding.text for finding in found.findings if "rows" in finding.text] == []
 
 

@@ -75,7 +75,9 @@ def test_the_first_screw_is_the_first_column_moved_to_the_base_origin():
     chain = ROBOTS["puma560"].chain({"d1": 0.5})
     axes, _ = screws(chain)
     np.testing.assert_array_equal(axes[0], [0, 0, 0, 0, 0, 1])
-    np.testing.assert_allclose(axes[1], [0.5, 0, 0, 0, -1, 0], rtol=0, atol=1e-15)  # p x w at the height 0.5
+    np.testing.assert_allclose(
+        axes[1], [0.5, 0, 0, 0, -1, 0], rtol=0, atol=1e-15
+    )  # p x w at the height 0.5
 
 
 def test_axes_along_the_coordinates_leave_zeros_and_ones():
@@ -85,7 +87,17 @@ def test_axes_along_the_coordinates_leave_zeros_and_ones():
 
 
 @pytest.mark.parametrize(
-    "z", [(1, 0, 0), (0, 1, 0), (0, 0, 1), (-1, 0, 0), (0.6, 0, 0.8), (1, 2e-6, 0), (1, 0.099, 0), (1, 0.11, 0)]
+    "z",
+    [
+        (1, 0, 0),
+        (0, 1, 0),
+        (0, 0, 1),
+        (-1, 0, 0),
+        (0.6, 0, 0.8),
+        (1, 2e-6, 0),
+        (1, 0.099, 0),
+        (1, 0.11, 0),
+    ],
 )
 def test_a_frame_along_an_axis_is_right_handed(z: tuple[float, ...]):
     unit = np.array(z) / np.linalg.norm(z)
@@ -105,13 +117,30 @@ def test_a_frame_along_an_axis_is_right_handed(z: tuple[float, ...]):
         (PLANAR, 2 * np.eye(4), None, "fixed\\[2\\] takes the last row"),
         (PLANAR, np.eye(4), "RP", "kinds takes 'RR', as w = 0 in a prismatic screw only, got 'RP'"),
         ([[0, 0, 0, 0, 0, 2]], np.eye(4), None, "screw 1 takes w of length 1, .*, got length 2"),
-        ([PLANAR[0], [0, 0, 0.5, 0, 0, 0]], np.eye(4), None, "screw 2 takes v of length 1 where w = 0, got length 0.5"),
-        ([[0, 0, 0, 0, 0, 0]], np.eye(4), None, "screw 1 takes v of length 1 where w = 0, got length 0"),
-        ([[0, 0, 0.1, 0, 0, 1]], np.eye(4), None, "screw 1 takes v normal to w, as the joint has no pitch, got pitch"),
+        (
+            [PLANAR[0], [0, 0, 0.5, 0, 0, 0]],
+            np.eye(4),
+            None,
+            "screw 2 takes v of length 1 where w = 0, got length 0.5",
+        ),
+        (
+            [[0, 0, 0, 0, 0, 0]],
+            np.eye(4),
+            None,
+            "screw 1 takes v of length 1 where w = 0, got length 0",
+        ),
+        (
+            [[0, 0, 0.1, 0, 0, 1]],
+            np.eye(4),
+            None,
+            "screw 1 takes v normal to w, as the joint has no pitch, got pitch",
+        ),
         ([[0, 0, math.nan, 0, 0, 1]], np.eye(4), None, "screws takes finite numbers"),
         ([[0, 0, 0, 0, 0, 1j]], np.eye(4), None, "screws takes real numbers"),
     ],
 )
-def test_wrong_screws_are_refused_with_a_sentence(axes: Any, home: Any, kinds: str | None, sentence: str):
+def test_wrong_screws_are_refused_with_a_sentence(
+    axes: Any, home: Any, kinds: str | None, sentence: str
+):
     with pytest.raises(ChainError, match=sentence):
         from_screws(axes, home, kinds)

@@ -21,7 +21,9 @@ def found(folder):
 
 def put_into_settings(folder, secret=SECRET):
     settings = folder / "course.toml"
-    settings.write_text(f'secret = "{secret}"\n' + settings.read_text(encoding="utf-8"), encoding="utf-8")
+    settings.write_text(
+        f'secret = "{secret}"\n' + settings.read_text(encoding="utf-8"), encoding="utf-8"
+    )
 
 
 @pytest.mark.parametrize("text", [SECRET, f"{SECRET}\n", f"  {SECRET}\r\n\n", f"\ufeff{SECRET}"])
@@ -45,7 +47,9 @@ def test_a_variable_that_is_set_to_nothing_counts_as_not_set(folder, monkeypatch
     assert found(folder) == SECRET
 
 
-def test_an_older_course_goes_on_working_and_is_told_once_that_the_secret_may_move(folder, kinegrade):
+def test_an_older_course_goes_on_working_and_is_told_once_that_the_secret_may_move(
+    folder, kinegrade
+):
     before = files_of(handed_out(folder).folder)
     (folder / "secret").unlink()
     for path in (folder / "released").rglob("*.ipynb"):
@@ -56,7 +60,9 @@ def test_an_older_course_goes_on_working_and_is_told_once_that_the_secret_may_mo
     assert ran.code == 0
     assert ran.err.count("can be shared") == 1
     assert ran.err.count(str(folder / "secret")) == 1
-    released = {name: data for name, data in files_of(folder).items() if name.startswith("released")}
+    released = {
+        name: data for name, data in files_of(folder).items() if name.startswith("released")
+    }
     assert released == {name: data for name, data in before.items() if name.startswith("released")}
 
 
@@ -64,13 +70,17 @@ def test_the_same_secret_in_both_places_is_fine_and_two_are_an_error(folder, mon
     put_into_settings(folder)
     assert found(folder) == SECRET
     write_secret(folder, OTHER)
-    with pytest.raises(CourseError, match=r"course.toml and .*secret hold different secrets; keep the one") as error:
+    with pytest.raises(
+        CourseError, match=r"course.toml and .*secret hold different secrets; keep the one"
+    ) as error:
         found(folder)
     assert OTHER not in str(error.value)
     assert SECRET not in str(error.value)
     write_secret(folder)
     monkeypatch.setenv("KINEGRADE_SECRET", OTHER)
-    with pytest.raises(CourseError, match=r"course.toml and KINEGRADE_SECRET hold different secrets"):
+    with pytest.raises(
+        CourseError, match=r"course.toml and KINEGRADE_SECRET hold different secrets"
+    ):
         found(folder)
 
 
@@ -109,7 +119,9 @@ def test_a_file_that_is_no_text_or_a_folder_is_named(folder):
 
 
 @pytest.mark.skipif(os.name != "posix", reason="modes are those of POSIX")
-@pytest.mark.parametrize(("mode", "warned"), [(0o600, False), (0o400, False), (0o640, True), (0o644, True)])
+@pytest.mark.parametrize(
+    ("mode", "warned"), [(0o600, False), (0o400, False), (0o640, True), (0o644, True)]
+)
 def test_one_that_others_can_read_is_a_warning(folder, capsys, mode, warned):
     write_secret(folder, mode=mode)
     assert found(folder) == SECRET

@@ -54,7 +54,9 @@ def test_what_was_drawn_is_recorded_with_its_fingerprint(class_of_three):
     ]
     for record in found:
         assert record.answers == fingerprint(exercise, record.numbers)
-        about = json.loads((class_of_three.folder / f"released/{record.student}/one.ipynb").read_bytes())["metadata"]
+        about = json.loads(
+            (class_of_three.folder / f"released/{record.student}/one.ipynb").read_bytes()
+        )["metadata"]
         assert about["kinegrade"]["numbers"] == {"lever": record.numbers}
 
 
@@ -71,13 +73,19 @@ def test_the_order_of_the_roster_changes_nothing(tmp_path, class_of_three):
 
 def test_another_secret_gives_other_numbers(tmp_path, class_of_three):
     other = handed_out(make_course(tmp_path / "other", secret="another secret, long enough"))  # noqa: S106
-    mine, theirs = (({canonical(r.numbers) for r in records(course)}) for course in (class_of_three, other))
+    mine, theirs = (
+        ({canonical(r.numbers) for r in records(course)}) for course in (class_of_three, other)
+    )
     assert not mine & theirs
 
 
 def test_a_second_sheet_of_the_same_exercise_has_other_numbers(tmp_path):
-    course = handed_out(make_course(tmp_path, more='[[sheet]]\nname = "two"\nexercises = ["lever"]\n'))
-    assert not {canonical(r.numbers) for r in records(course)} & {canonical(r.numbers) for r in records(course, "two")}
+    course = handed_out(
+        make_course(tmp_path, more='[[sheet]]\nname = "two"\nexercises = ["lever"]\n')
+    )
+    assert not {canonical(r.numbers) for r in records(course)} & {
+        canonical(r.numbers) for r in records(course, "two")
+    }
 
 
 def test_a_second_run_writes_nothing_anew(class_of_three):
@@ -97,7 +105,9 @@ def test_a_late_joiner_is_added_and_a_released_file_is_never_rewritten(class_of_
     before, drawn = released(folder), records(class_of_three)
     enrol(folder, [("dee", "Dee"), *CLASS])
     course = handed_out(folder)
-    assert {path: data for path, data in released(folder).items() if not path.startswith("dee")} == before
+    assert {
+        path: data for path, data in released(folder).items() if not path.startswith("dee")
+    } == before
     assert "released/dee/one.ipynb" in files_of(folder)
     assert [record for record in records(course) if record.student != "dee"] == drawn
 
@@ -105,7 +115,9 @@ def test_a_late_joiner_is_added_and_a_released_file_is_never_rewritten(class_of_
 def test_an_exercise_edited_after_the_release_does_not_change_what_is_out(class_of_three):
     folder = class_of_three.folder
     before = released(folder)
-    (folder / "exercises" / "lever.py").write_text(LEVER.replace("A lever.", "A stick."), encoding="utf-8")
+    (folder / "exercises" / "lever.py").write_text(
+        LEVER.replace("A lever.", "A stick."), encoding="utf-8"
+    )
     handed_out(folder)
     assert released(folder) == before
 
@@ -119,7 +131,9 @@ def test_somebody_who_left_keeps_numbers_that_nobody_else_gets(tmp_path):
     handed_out(tmp_path)
     enrol(tmp_path, [("dee", "Dee")])
     course = handed_out(tmp_path)
-    assert len({canonical(record.numbers) for record in records(course)}) == len(records(course)) == 4
+    assert (
+        len({canonical(record.numbers) for record in records(course)}) == len(records(course)) == 4
+    )
     enrol(tmp_path, [("eve", "Eve")])
     with pytest.raises(ExerciseError, match="1000 draws gave no new numbers"):
         handed_out(tmp_path)
@@ -153,7 +167,10 @@ def test_numbers_that_stay_with_the_instructor_do_not_make_a_released_sheet_anot
     "change",
     [
         lambda folder: make_course(folder, exercises=("lever", "rrt")),
-        lambda folder: (make_course(folder, secret="x" * 20), (folder / "gradebook.sqlite").unlink()),
+        lambda folder: (
+            make_course(folder, secret="x" * 20),
+            (folder / "gradebook.sqlite").unlink(),
+        ),
     ],
     ids=["another exercise", "gradebook and secret lost"],
 )
@@ -161,7 +178,9 @@ def test_numbers_are_never_recorded_for_a_sheet_that_is_out_with_others(class_of
     folder = class_of_three.folder
     before = released(folder)
     change(folder)
-    with pytest.raises(CourseError, match=r"released/ada/one.ipynb was handed out with other exercises or numbers"):
+    with pytest.raises(
+        CourseError, match=r"released/ada/one.ipynb was handed out with other exercises or numbers"
+    ):
         handed_out(folder)
     assert released(folder) == before
     assert not [record for record in records(class_of_three) if record.exercise == "rrt"]
@@ -182,7 +201,9 @@ def test_a_run_killed_at_any_file_is_finished_by_the_next(tmp_path, class_of_thr
 
 
 def test_an_unknown_exercise_is_named_with_the_nearest_and_all_others(tmp_path):
-    with pytest.raises(ExerciseError, match=r"no exercise 'leever'; did you mean 'lever'\?") as caught:
+    with pytest.raises(
+        ExerciseError, match=r"no exercise 'leever'; did you mean 'lever'\?"
+    ) as caught:
         handed_out(make_course(tmp_path, exercises=("leever",)))
     assert f"known: {', '.join(sorted([*SLUGS, 'lever']))}" in str(caught.value)
 
@@ -191,10 +212,19 @@ def test_an_unknown_exercise_is_named_with_the_nearest_and_all_others(tmp_path):
     ("text", "words"),
     [
         ("EXERCISE = (\n", "lever.py: the exercise file stopped with SyntaxError"),
-        ("EXERCISE = 1 / 0\n", "lever.py: the exercise file stopped with ZeroDivisionError: division by zero"),
+        (
+            "EXERCISE = 1 / 0\n",
+            "lever.py: the exercise file stopped with ZeroDivisionError: division by zero",
+        ),
         ("EXERCISE = 5\n", "lever.py: an exercise file takes a top-level EXERCISE"),
-        (LEVER.replace('slug="lever"', 'slug="stick"'), "'stick_' *, got|starts with stick_, got 'lever_p'"),
-        (LEVER.replace("np.array([-y, x])", "np.ones(3)"), r"solve of lever_J: takes finite numbers of shape \(2,\)"),
+        (
+            LEVER.replace('slug="lever"', 'slug="stick"'),
+            "'stick_' *, got|starts with stick_, got 'lever_p'",
+        ),
+        (
+            LEVER.replace("np.array([-y, x])", "np.ones(3)"),
+            r"solve of lever_J: takes finite numbers of shape \(2,\)",
+        ),
     ],
 )
 def test_a_broken_exercise_of_the_course_is_named(tmp_path, text, words):
@@ -205,7 +235,9 @@ def test_a_broken_exercise_of_the_course_is_named(tmp_path, text, words):
 
 
 def test_an_exercise_twice_on_a_sheet_is_refused(tmp_path):
-    with pytest.raises(CourseError, match="sheet one: lever_p is asked twice; answers are collected by name"):
+    with pytest.raises(
+        CourseError, match="sheet one: lever_p is asked twice; answers are collected by name"
+    ):
         handed_out(make_course(tmp_path, exercises=("lever", "lever")))
 
 
@@ -219,8 +251,14 @@ def test_an_exercise_of_the_course_replaces_ours_of_the_same_name(tmp_path):
 @pytest.mark.parametrize(
     ("pins", "match"),
     [
-        ("pinned.puma_velocity.wording = 'x'", r"pins .puma_velocity. \(did you mean .puma_velocities.\?\)"),
-        ("pinned.puma_velocities.wordin = 'x'", r"pins 'wordin' of puma_velocities \(did you mean 'wording'\?\)"),
+        (
+            "pinned.puma_velocity.wording = 'x'",
+            r"pins .puma_velocity. \(did you mean .puma_velocities.\?\)",
+        ),
+        (
+            "pinned.puma_velocities.wordin = 'x'",
+            r"pins 'wordin' of puma_velocities \(did you mean 'wording'\?\)",
+        ),
         ("pinned.puma_velocities.q = [1]", "its choices of form are: wording, family"),
     ],
 )

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from kinegrade.solutions.chain import from_standard
 from kinegrade.solutions.random_chain import random_chain
-from kinegrade.solutions.stands import Plane, Stand, margins, onward, settled, slopes
+from kinegrade.solutions.sections.stands import Plane, Stand, margins, onward, settled, slopes
 
 LINKS = from_standard([[0, 0, 0.5, 0], [0, 0, 0.3, 0], [0, 0, 0.2, 0]], "RRR")
 FLAT = Plane(LINKS, ("x", "y"), np.array([-np.inf, -1.0, -1.0]), np.array([np.inf, 1.0, 1.0]))
@@ -20,7 +20,9 @@ def test_rates_and_their_derivatives_are_differences(axes, kinds):
     found = slopes(plane, stand)
     normal = np.column_stack([np.cos(stand.bearing), np.sin(stand.bearing)])
     for i, step in enumerate(1e-6 * np.eye(k + 1)):
-        ahead, behind = (slopes(plane, stand.moved(sign * np.tile(step, (30, 1)))) for sign in (1, -1))
+        ahead, behind = (
+            slopes(plane, stand.moved(sign * np.tile(step, (30, 1)))) for sign in (1, -1)
+        )
         slope = (ahead.rates - behind.rates) / 2e-6
         np.testing.assert_allclose(found.derivatives[:, :, i], slope, rtol=0, atol=1e-7)
         if i < k:
@@ -58,7 +60,9 @@ def test_postures_settle_where_no_free_joint_has_a_rate_and_steps_keep_them_ther
 def test_margins_tell_postures_that_the_tool_cannot_pass(q, bearing, held, inside):
     stand = Stand(np.array([q]), np.array([bearing]), np.array([held]))
     at = slopes(FLAT, stand).at[0]
-    turned = stand.moved(np.array([[0.0, 0.0, 0.0, np.arctan2(at[1], at[0])]]))  # along the way to the tool
+    turned = stand.moved(
+        np.array([[0.0, 0.0, 0.0, np.arctan2(at[1], at[0])]])
+    )  # along the way to the tool
     assert (margins(FLAT, turned, slopes(FLAT, turned)) >= 0).all() == inside
 
 

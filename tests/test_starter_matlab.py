@@ -6,13 +6,22 @@ import numpy as np
 import pytest
 from courses import BUNDLED, CLASS, files_of, handed_out, make_course
 from kinegrade.course.config import CourseError, Sheet, Student
-from kinegrade.course.starter_matlab import literal, starter
-from kinegrade.exercises.answers import Choice, Conditions, Configurations, Formulas, Function, Manual
-from kinegrade.exercises.catalogue import exercise_files, find
+from kinegrade.course.sheet.matlab import literal, starter
+from kinegrade.exercises.answers import (
+    Choice,
+    Conditions,
+    Configurations,
+    Formulas,
+    Function,
+    Manual,
+)
 from kinegrade.exercises.exercise import Exercise, Numbers, Part, TableOf
+from kinegrade.exercises.files.finding import exercise_files, find
 
 ADA = Student("ada", "Ada Lovelace")
-CODE = re.compile(r"[A-Za-z]\w* = .*;  %.*|\w+ = \S.*;|\w+ = [\[{].* \.\.\.|    .*|\};|save\(.*", re.ASCII)
+CODE = re.compile(
+    r"[A-Za-z]\w* = .*;  %.*|\w+ = \S.*;|\w+ = [\[{].* \.\.\.|    .*|\};|save\(.*", re.ASCII
+)
 
 
 def sheet(name="one"):
@@ -20,7 +29,9 @@ def sheet(name="one"):
 
 
 def exercise(*answers, statement="A plain question.", units=None, title="Title", prompt="A prompt"):
-    checks = [(lambda *_: None) if isinstance(answer, Configurations) else None for answer in answers]
+    checks = [
+        (lambda *_: None) if isinstance(answer, Configurations) else None for answer in answers
+    ]
     parts = tuple(
         Part(f"ex_{i}", prompt, 2, answer, lambda *_: None, check=check)
         for i, (answer, check) in enumerate(zip(answers, checks, strict=True))
@@ -40,18 +51,33 @@ def script(*answers, v=None, student=ADA, **more):
     [
         (Numbers((6, 3)), "ex_0 = [];  % 6 x 3 numbers, linear rows above angular; 4 decimals"),
         (Numbers((6,), "N m"), "ex_0 = [];  % 6 numbers; 4 decimals"),  # torques of six joints
-        (Numbers((6,), ["N"] * 3 + ["N m"] * 3), "ex_0 = [];  % 6 numbers, linear rows above angular; 4 decimals"),
+        (
+            Numbers((6,), ["N"] * 3 + ["N m"] * 3),
+            "ex_0 = [];  % 6 numbers, linear rows above angular; 4 decimals",
+        ),
         (Numbers((3,), decimals=2), "ex_0 = [];  % 3 numbers; 2 decimals"),
         (Numbers(()), "ex_0 = [];  % one number; 4 decimals"),
-        (Numbers((3, 4, 4)), "ex_0 = {};  % 3 matrices of 4 x 4 numbers: {first, second, ...}; 4 decimals"),
+        (
+            Numbers((3, 4, 4)),
+            "ex_0 = {};  % 3 matrices of 4 x 4 numbers: {first, second, ...}; 4 decimals",
+        ),
         (
             TableOf(("d1",), "RRP"),
             "ex_0 = {};  % 3 rows theta, d, a, alpha, such as {'q1 + pi', 0.25, 'd1', 'pi/3'; ...}",
         ),
-        (Formulas((2, 2), ("l1",)), "ex_0 = '';  % 2 x 2 formulas as text: '...', or char(...) of a symbolic matrix"),
-        (Formulas((), ("l1",)), "ex_0 = '';  % a formula as text: '...', or char(...) of a symbolic one"),
+        (
+            Formulas((2, 2), ("l1",)),
+            "ex_0 = '';  % 2 x 2 formulas as text: '...', or char(...) of a symbolic matrix",
+        ),
+        (
+            Formulas((), ("l1",)),
+            "ex_0 = '';  % a formula as text: '...', or char(...) of a symbolic one",
+        ),
         (Choice(("yes", "no")), "% a: yes\n% b: no\nex_0 = '';  % one of a, b"),
-        (Conditions(("q1",), lambda _: {}), "ex_0 = {''};  % equations, such as {'sin(q1) = 0', 'q2 = q3'}"),
+        (
+            Conditions(("q1",), lambda _: {}),
+            "ex_0 = {''};  % equations, such as {'sin(q1) = 0', 'q2 = q3'}",
+        ),
         (
             Configurations(2, in_order=True),
             "ex_0 = [];  % a row of 2 numbers for every step, in their order; 4 decimals",
@@ -61,7 +87,10 @@ def script(*answers, v=None, student=ADA, **more):
             Manual(((2.0, "a line"),)),
             "ex_0 = '';  % your text; ['first line' newline 'second line'] has two lines",
         ),
-        (Function("(q)", lambda _: {}), "ex_0 = {};  % a Python function ex_0(q): hand in the notebook"),
+        (
+            Function("(q)", lambda _: {}),
+            "ex_0 = {};  % a Python function ex_0(q): hand in the notebook",
+        ),
     ],
 )
 def test_every_kind_of_answer_has_its_blank(answer, line):
@@ -78,7 +107,10 @@ def test_what_is_done_on_paper_is_not_saved():
 
 
 def test_a_function_comes_with_the_inputs_whose_results_are_handed_in():
-    calls = {"planar": [([0.5, -1.0], "RR"), ([[1.0, 2], [3, 4]], "it's")], "other": [(np.eye(2), 3)]}
+    calls = {
+        "planar": [([0.5, -1.0], "RR"), ([[1.0, 2], [3, 4]], "it's")],
+        "other": [(np.eye(2), 3)],
+    }
     text = script(Function("(q, kinds)", lambda _: {}, published=lambda _: calls))
     assert (
         "% Results of ex_0(q, kinds) for the arguments in each cell of ex_0_inputs:\n"
@@ -93,7 +125,9 @@ def test_a_function_comes_with_the_inputs_whose_results_are_handed_in():
 
 def test_an_argument_that_is_a_dict_has_a_line_for_every_field():
     arm = {"kinds": ["R", "P"], "a": [0.123456789] * 3, "alpha": [0.5] * 3}
-    text = script(Function("(arm, q)", lambda _: {}, published=lambda _: {"yours": [(arm, [0.5, 1.0])]}))
+    text = script(
+        Function("(arm, q)", lambda _: {}, published=lambda _: {"yours": [(arm, [0.5, 1.0])]})
+    )
     assert (
         "ex_0_inputs = { ...\n"
         "    {struct('kinds', {{'R', 'P'}}, ...\n"
@@ -128,7 +162,10 @@ def test_an_argument_that_is_a_dict_has_a_line_for_every_field():
         (np.eye(2), "[1.0, 0.0; 0.0, 1.0]"),
         ({}, "struct()"),
         ({"a": [0.1, 0.2], "n": 2}, "struct('a', [0.1, 0.2], 'n', 2)"),
-        ({"kinds": ["R", "P"]}, "struct('kinds', {{'R', 'P'}})"),  # one pair of braces would make two structures
+        (
+            {"kinds": ["R", "P"]},
+            "struct('kinds', {{'R', 'P'}})",
+        ),  # one pair of braces would make two structures
         ([{"a": 1}, {"a": 2}], "{struct('a', 1), struct('a', 2)}"),
         ({"tool": {"p": [0.5]}}, "struct('tool', struct('p', [0.5]))"),
     ],
@@ -157,7 +194,11 @@ def test_a_matrix_that_is_too_long_for_a_line_has_a_line_for_every_row():
     shown = ", ".join(map(repr, row))
     text = script(Numbers((2,)), v={"J": [row, row, row]}, units={"J": "m"})
     assert f"\nex_J = [{shown}; ...\n    {shown}; ...\n    {shown}];  % [m]\n" in text
-    function = Function("(J, kinds)", lambda _: {}, published=lambda _: {"one": [([row, row], "R; P"), ([1.0], "R")]})
+    function = Function(
+        "(J, kinds)",
+        lambda _: {},
+        published=lambda _: {"one": [([row, row], "R; P"), ([1.0], "R")]},
+    )
     assert (
         "ex_0_inputs = { ...\n"
         f"    {{[{shown}; ...\n    {shown}], ...\n    'R; P'}}; ...\n"
@@ -173,7 +214,9 @@ def test_a_statement_with_formulas_is_left_to_the_notebook():
     assert "mathbf" not in text
 
 
-@pytest.mark.parametrize("breaker", ["\n", "\r", "\r\n", "\x0b", "\x0c", "\x85", "\u2028", "\u2029", "\x00", "\x1b"])
+@pytest.mark.parametrize(
+    "breaker", ["\n", "\r", "\r\n", "\x0b", "\x0c", "\x85", "\u2028", "\u2029", "\x00", "\x1b"]
+)
 def test_no_name_or_title_breaks_out_of_its_comment(breaker):
     evil = f"A{breaker}delete('x') %{{ {breaker}%}}{breaker}"
     text = script(
@@ -181,7 +224,9 @@ def test_no_name_or_title_breaks_out_of_its_comment(breaker):
         statement=evil, prompt=evil, units={"d": "m"}, v={"d": evil},
     )  # fmt: skip
     lines = re.split(r"[\n\r\x0b\x0c\x85\u2028\u2029]", text)
-    assert [line for line in lines if line and not line.startswith("%") and not CODE.fullmatch(line)] == []
+    assert [
+        line for line in lines if line and not line.startswith("%") and not CODE.fullmatch(line)
+    ] == []
     assert not any(line.strip() in ("%{", "%}") for line in lines)
     assert "\x00" not in text
     assert "\x1b" not in text
@@ -189,7 +234,10 @@ def test_no_name_or_title_breaks_out_of_its_comment(breaker):
 
 def test_a_name_that_matlab_does_not_take_is_refused():
     long = Exercise(
-        **{**vars(exercise(Numbers((2,)))), "parts": (Part("ex_" + "x" * 64, "P", 1, Numbers((2,)), print),)}
+        **{
+            **vars(exercise(Numbers((2,)))),
+            "parts": (Part("ex_" + "x" * 64, "P", 1, Numbers((2,)), print),),
+        }
     )
     with pytest.raises(CourseError, match="is no name in MATLAB"):
         starter("Course", sheet(), ADA, [(long, {})])
@@ -199,7 +247,9 @@ def test_a_name_that_matlab_does_not_take_is_refused():
 def test_our_exercises_have_a_script_of_code_and_comments(slug):
     found = find(slug, exercise_files())
     text = starter("Course", sheet(), ADA, [(found, found.draw(np.random.default_rng(1)))])
-    assert [line for line in text.splitlines() if line and line[0] != "%" and not CODE.fullmatch(line)] == []
+    assert [
+        line for line in text.splitlines() if line and line[0] != "%" and not CODE.fullmatch(line)
+    ] == []
     assert max(map(len, text.splitlines())) <= 120
     for part in found.asked:
         assert f"\n{part.variable} = " in text
@@ -216,7 +266,9 @@ def test_a_sheet_with_matlab_releases_a_script_once(tmp_path):
     handed_out(tmp_path)
     after = files_of(tmp_path / "released")
     assert {path: data for path, data in after.items() if not path.endswith(".m")} == before
-    assert {path for path in after if path.endswith(".m")} == {f"{student}/one.m" for student, _ in CLASS}
+    assert {path for path in after if path.endswith(".m")} == {
+        f"{student}/one.m" for student, _ in CLASS
+    }
     assert b"lever_L = " in after["ada/one.m"]
     (tmp_path / "released" / "ada" / "one.m").write_bytes(b"% my own\n")
     (tmp_path / "released" / "ben" / "one.m").unlink()

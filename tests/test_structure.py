@@ -15,14 +15,78 @@ ROOT = Path(__file__).parents[1]
 ORDER = ("solutions", "exercises", "grader", "course")
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
 SETUPTOOLS = PROJECT["tool"]["setuptools"]
-MODULES = [path.relative_to(ROOT) for package in ORDER for path in sorted((ROOT / package).rglob("*.py"))]
+MODULES = [
+    path.relative_to(ROOT) for package in ORDER for path in sorted((ROOT / package).rglob("*.py"))
+]
+ENGINE = {"solutions"}
+ROOMS = {
+    # Behind the modules of solutions/ that people call.
+    "solutions": {"solutions/program", "solutions/sections", "solutions/closed_forms"},
+    "solutions/program": ENGINE,
+    "solutions/sections": ENGINE,
+    "solutions/closed_forms": ENGINE,
+    # The contract on top of the kinds; what exercises share on top of the contract; no way into the catalogue.
+    "exercises/kinds": ENGINE,
+    "exercises": ENGINE | {"exercises/kinds"},
+    "exercises/contract": ENGINE | {"exercises"},
+    "exercises/part": ENGINE | {"exercises", "exercises/contract"},
+    "exercises/calculations": ENGINE | {"exercises", "exercises/contract"},
+    "exercises/arms": ENGINE | {"exercises", "exercises/contract", "exercises/calculations"},
+    "exercises/questions": ENGINE
+    | {"exercises", "exercises/part", "exercises/contract", "exercises/calculations"},
+    "exercises/catalogue": ENGINE
+    | {"exercises", "exercises/part", "exercises/contract", "exercises/calculations"}
+    | {"exercises/arms", "exercises/questions"},
+    "exercises/files": ENGINE | {"exercises"},
+    # Data flows from files to verdicts; figures stand apart.
+    "grader/collecting": ENGINE,
+    "grader/reading": ENGINE | {"exercises"},
+    "grader/kinds": ENGINE
+    | {"exercises", "exercises/kinds", "grader/collecting", "grader/reading"},
+    "grader/marking": ENGINE | {"exercises", "grader/collecting", "grader/reading", "grader/kinds"},
+    "grader/figures": ENGINE | {"exercises"},
+    # Settings and words at the bottom, sheets above them, proofs above sheets, the command on top.
+    "course/ground": ENGINE,
+    "course/sheet": ENGINE
+    | {"course/ground", "exercises", "exercises/kinds", "grader/collecting", "grader/figures"},
+    "course": ENGINE
+    | {"course/ground", "course/sheet", "exercises", "exercises/files"}
+    | {"grader/collecting", "grader/reading", "grader/marking", "grader/figures"},
+    "course/proof": ENGINE
+    | {"course", "course/ground", "course/sheet", "exercises", "exercises/files"}
+    | {"grader/collecting", "grader/kinds", "grader/marking"},
+    "course/command": ENGINE
+    | {"course", "course/ground", "course/sheet", "course/proof", "exercises", "exercises/files"}
+    | {"grader/figures"},
+}
+"""Which rooms each room may import from, besides itself; a folder is a room, and what lies beside it another."""
+ROOM_OF = {
+    "exercises/part": "exercises/part",
+    "course/cli": "course/command",
+    **dict.fromkeys(
+        [f"course/{name}" for name in ("config", "console", "escape", "files", "formulas")],
+        "course/ground",
+    ),
+}
+"""Rooms of files that stand beside others on the top floor of a package."""
 DISTRIBUTIONS = {
     "IPython": "ipython",
     "sqlalchemy": "SQLAlchemy",
     "markupsafe": "jinja2",
     "markdown_it": "markdown-it-py",
 }  # jinja2 brings markupsafe
-HEAVY = ("sympy", "matplotlib", "sqlalchemy", "IPython", "typst", "nbformat", "jinja2", "pydantic", "numpy", "scipy")
+HEAVY = (
+    "sympy",
+    "matplotlib",
+    "sqlalchemy",
+    "IPython",
+    "typst",
+    "nbformat",
+    "jinja2",
+    "pydantic",
+    "numpy",
+    "scipy",
+)
 HELP = """
 from kinegrade.course.cli import main
 sys.argv = ["kinegrade", "--help"]
@@ -31,7 +95,19 @@ try:
 except SystemExit:
     pass
 """
-WRITTEN = ("*.py", "*.md", "*.toml", "*.txt", "*.html", "*.css", "*.yml", "*.json", "*.ipynb", "Makefile", "run")
+WRITTEN = (
+    "*.py",
+    "*.md",
+    "*.toml",
+    "*.txt",
+    "*.html",
+    "*.css",
+    "*.yml",
+    "*.json",
+    "*.ipynb",
+    "Makefile",
+    "run",
+)
 UNWRITTEN = {
     ".git",
     ".venv",
@@ -59,11 +135,17 @@ def imported(path):
 @pytest.mark.parametrize("path", MODULES, ids=str)
 def test_imports_point_one_way(path):
     allowed = ORDER[: ORDER.index(path.parts[0]) + 1]
-    ours = [name.split(".") for name in imported(path) if name.split(".")[0] in ("kinegrade", *ORDER)]
-    assert [name for name in ours if name[0] != "kinegrade" or len(name) < 2 or name[1] not in allowed] == []
+    ours = [
+        name.split(".") for name in imported(path) if name.split(".")[0] in ("kinegrade", *ORDER)
+    ]
+    assert [
+        name for name in ours if name[0] != "kinegrade" or len(name) < 2 or name[1] not in allowed
+    ] == []
 
 
-@pytest.mark.parametrize("path", [path for path in MODULES if path.parent.name == "catalogue"], ids=str)
+@pytest.mark.parametrize(
+    "path", [path for path in MODULES if path.parent.name == "catalogue"], ids=str
+)
 def test_no_exercise_imports_another(path):
     """What two exercises need is a module of exercises/, so that each file can be read, changed and dropped alone."""
     ours = [name for name in imported(path) if name.startswith("kinegrade.exercises.catalogue")]
@@ -71,13 +153,17 @@ def test_no_exercise_imports_another(path):
 
 
 def test_the_runner_imports_nothing_of_ours_and_nothing_that_is_not_everywhere():
-    names = {name.split(".")[0] for name in imported(Path("grader/runner.py"))}
+    names = {name.split(".")[0] for name in imported(Path("grader/collecting/runner.py"))}
     assert names - set(sys.stdlib_module_names) <= {"numpy", "IPython"}
 
 
 def test_every_import_is_a_declared_dependency():
-    names = {name.split(".")[0] for path in MODULES for name in imported(path)} - set(sys.stdlib_module_names)
-    lines = PROJECT["project"]["dependencies"] + PROJECT["project"]["optional-dependencies"]["matlab"]
+    names = {name.split(".")[0] for path in MODULES for name in imported(path)} - set(
+        sys.stdlib_module_names
+    )
+    lines = (
+        PROJECT["project"]["dependencies"] + PROJECT["project"]["optional-dependencies"]["matlab"]
+    )
     declared = {re.split(r"[^\w-]", line)[0] for line in lines}
     assert {DISTRIBUTIONS.get(name, name) for name in names - {"kinegrade"}} <= declared
 
@@ -85,8 +171,12 @@ def test_every_import_is_a_declared_dependency():
 def test_the_package_list_is_the_folders():
     """An unlisted sub-package works in an editable installation and is missing from the wheel."""
     folders = sorted({str(path.parent) for path in MODULES})
-    assert sorted(SETUPTOOLS["packages"]) == [f"kinegrade.{folder.replace('/', '.')}" for folder in folders]
-    assert SETUPTOOLS["package-dir"] == {f"kinegrade.{folder.replace('/', '.')}": folder for folder in folders}
+    assert sorted(SETUPTOOLS["packages"]) == [
+        f"kinegrade.{folder.replace('/', '.')}" for folder in folders
+    ]
+    assert SETUPTOOLS["package-dir"] == {
+        f"kinegrade.{folder.replace('/', '.')}": folder for folder in folders
+    }
     assert all((ROOT / folder / "__init__.py").exists() for folder in folders)
 
 
@@ -97,7 +187,10 @@ def test_every_file_that_is_not_python_is_package_data():
         for glob in globs
     ]
     others = [
-        path for package in ORDER for path in (ROOT / package).rglob("*") if path.is_file() and path.suffix != ".py"
+        path
+        for package in ORDER
+        for path in (ROOT / package).rglob("*")
+        if path.is_file() and path.suffix != ".py"
     ]
     names = [str(path.relative_to(ROOT)) for path in others if not UNWRITTEN & set(path.parts)]
     assert names
@@ -115,7 +208,11 @@ def test_a_type_checker_finds_the_packages_where_they_are():
 @pytest.mark.parametrize("package", ORDER)
 def test_a_folder_imported_as_a_package_of_its_own_fails_loudly(package):
     ran = subprocess.run(
-        [sys.executable, "-c", f"import {package}"], cwd=ROOT, capture_output=True, text=True, check=False
+        [sys.executable, "-c", f"import {package}"],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=False,
     )
     assert ran.returncode == 1
     assert f"ImportError: Import kinegrade.{package}, not {package}" in ran.stderr
@@ -140,13 +237,17 @@ def test_no_package_loads_anything_by_itself():
 
 
 def test_grading_loads_no_sympy_and_no_figures():
-    found = loaded("import kinegrade.course.grading, kinegrade.course.submissions, kinegrade.course.tables")
+    found = loaded(
+        "import kinegrade.course.grading, kinegrade.course.sheet.submissions, kinegrade.course.tables"
+    )
     assert sorted({"sympy", "matplotlib", "typst", "IPython", "scipy"} & found) == []
 
 
 def written():
     for folder, inner, names in os.walk(ROOT):
-        inner[:] = sorted(name for name in inner if name not in UNWRITTEN and not name.endswith(".egg-info"))
+        inner[:] = sorted(
+            name for name in inner if name not in UNWRITTEN and not name.endswith(".egg-info")
+        )
         for path in (Path(folder) / name for name in sorted(names)):
             if any(path.match(glob) for glob in WRITTEN):
                 yield path.relative_to(ROOT), path.read_text(encoding="utf-8")

@@ -11,9 +11,15 @@ import pytest
 from answers import EXERCISES, SLUGS, variant_of
 from courses import exercise_of, hand_in, notebook, right_answers
 from kinegrade.course.config import CourseError, read_course
-from kinegrade.course.submissions import Submission, find_submission, misnamed, read_submission, strangers
+from kinegrade.course.sheet.submissions import (
+    Submission,
+    find_submission,
+    misnamed,
+    read_submission,
+    strangers,
+)
 from kinegrade.exercises.exercise import Function, Numbers, Part
-from kinegrade.grader.ask import Ask, Limits
+from kinegrade.grader.collecting.ask import Ask, Limits
 from scipy.io import savemat
 
 ASKS = [Ask("lever_p"), Ask("lever_J")]
@@ -113,7 +119,9 @@ def test_nothing_handed_in_is_nothing(course):
 
 def test_a_folder_in_the_place_of_a_file_is_named(course):
     (course.folder / "submitted" / "ada" / "one.ipynb").mkdir(parents=True)
-    with pytest.raises(CourseError, match=r"submitted/ada/one.ipynb cannot be read: it is not a file"):
+    with pytest.raises(
+        CourseError, match=r"submitted/ada/one.ipynb cannot be read: it is not a file"
+    ):
         find_submission(course.folder, "ada", "one")
 
 
@@ -139,7 +147,7 @@ def test_a_pipe_is_not_waited_for(course):
 
 
 def test_a_file_too_large_is_not_read(course, monkeypatch):
-    monkeypatch.setattr("kinegrade.course.submissions.MAX_BYTES", 3 << 20)
+    monkeypatch.setattr("kinegrade.course.sheet.submissions.MAX_BYTES", 3 << 20)
     path = hand_in(course, "ada", b" " * (4 << 20))
     with pytest.raises(CourseError, match=r"one.json has 4 MB; a submission may have 3 MB"):
         read_submission(path)
@@ -148,7 +156,9 @@ def test_a_file_too_large_is_not_read(course, monkeypatch):
 @pytest.mark.parametrize("name", ["one.pdf", "one", "one.IPYNB", "one.py"])
 def test_an_ending_that_cannot_be_marked_is_named_with_those_that_can(course, name):
     path = hand_in(course, "ada", b"{}", name)
-    with pytest.raises(CourseError, match=r"takes one of the endings .ipynb, .json, .csv, .mat, got"):
+    with pytest.raises(
+        CourseError, match=r"takes one of the endings .ipynb, .json, .csv, .mat, got"
+    ):
         read_submission(path)
 
 
@@ -186,7 +196,9 @@ def test_without_the_modules_of_posix_everything_but_notebooks_is_marked(course)
 def test_without_scipy_a_mat_file_is_refused_and_not_marked(course, monkeypatch):
     path = hand_in(course, "ada", mat({"lever_p": [1, 2]}), "one.mat")
     monkeypatch.setitem(sys.modules, "scipy", None)
-    with pytest.raises(CourseError, match=r"one.mat: .mat files are read with scipy, .* pip install scipy"):
+    with pytest.raises(
+        CourseError, match=r"one.mat: .mat files are read with scipy, .* pip install scipy"
+    ):
         read_submission(path)
 
 
@@ -199,7 +211,13 @@ def function(published):
     parts = (
         Part("t_J", "J", 1, Numbers((2,)), lambda *_: [1, 2]),
         Part("t_unasked", "", 0, Numbers((2,)), lambda *_: [1, 2], asked=False),
-        Part("t_f", "f", 1, Function("(q, kinds)", lambda _: HIDDEN, published=inputs), lambda *_: sum),
+        Part(
+            "t_f",
+            "f",
+            1,
+            Function("(q, kinds)", lambda _: HIDDEN, published=inputs),
+            lambda *_: sum,
+        ),
     )
     return exercise_of(*parts)
 
@@ -217,7 +235,9 @@ def test_a_notebook_is_asked_for_the_hidden_calls_group_after_group(published):
 @pytest.mark.parametrize("suffix", [".json", ".csv", ".mat"])
 def test_a_file_is_asked_for_results_of_the_published_calls(suffix):
     assert asks(suffix, published=True) == [Ask("t_J"), Ask("t_f", (([1.0, 2.0], "RP"),))]
-    assert len(asks(suffix, published=False)[1].calls) == 3  # nothing is published: a file can hold no right answer
+    assert (
+        len(asks(suffix, published=False)[1].calls) == 3
+    )  # nothing is published: a file can hold no right answer
 
 
 def test_the_inputs_of_a_function_are_those_of_the_variant(course):
@@ -233,7 +253,9 @@ def test_every_asked_part_is_asked_for_in_every_kind_of_file(slug):
     for suffix in (".ipynb", ".json", ".csv", ".mat"):
         found = Submission(Path(f"one{suffix}"), b"").asks(exercise, v)
         assert [ask.name for ask in found] == [part.variable for part in exercise.asked]
-        assert [bool(ask.calls) for ask in found] == [isinstance(part.answer, Function) for part in exercise.asked]
+        assert [bool(ask.calls) for ask in found] == [
+            isinstance(part.answer, Function) for part in exercise.asked
+        ]
 
 
 def test_a_link_to_a_file_of_somebody_else_is_no_submission(tmp_path):
@@ -245,11 +267,17 @@ def test_a_link_to_a_file_of_somebody_else_is_no_submission(tmp_path):
 
 def test_results_listed_in_a_notebook_are_no_function(tmp_path):
     part = Part(
-        "t_x", "x?", 1, Function("(x)", lambda _: {"one": [(1.0,)]}, published=lambda _: {"one": [(2.0,)]}), float
+        "t_x",
+        "x?",
+        1,
+        Function("(x)", lambda _: {"one": [(1.0,)]}, published=lambda _: {"one": [(2.0,)]}),
+        float,
     )
     (tmp_path / "one.ipynb").write_bytes(notebook("t_x = [[2.0]]"))
     (tmp_path / "one.json").write_text('{"t_x": [[2.0]]}', encoding="utf-8")
-    in_notebook, in_file = (read_submission(tmp_path / f"one.{ending}") for ending in ("ipynb", "json"))
+    in_notebook, in_file = (
+        read_submission(tmp_path / f"one.{ending}") for ending in ("ipynb", "json")
+    )
     asks = [submission.asks(exercise_of(part), {}) for submission in (in_notebook, in_file)]
     assert "takes a function" in in_notebook.raws(asks[0], Limits())["t_x"].value
     assert in_file.raws(asks[1], Limits())["t_x"].kind in ("num", "calls")

@@ -4,9 +4,9 @@
 import numpy as np
 import pytest
 import sympy as sp
+from kinegrade.solutions.closed_forms.polynomial import polynomial, reduced
 from kinegrade.solutions.expression import parse
 from kinegrade.solutions.jacobian import jacobian
-from kinegrade.solutions.polynomial import polynomial, reduced
 from kinegrade.solutions.robots import ROBOTS, Robot
 from kinegrade.solutions.symbolic import closed_form, shorthand
 
@@ -15,7 +15,12 @@ EXTRA = Robot(
     name="scara",
     title="SCARA with a wrist in modified rows",
     parameters={"a1": 0.3, "a2": 0.4, "d4": 0.1},
-    rows=(("q1", "0", "0", "0"), ("q2 + pi/3", "0", "a1", "0"), ("0", "q3", "a2", "pi"), ("q4", "d4", "0", "0")),
+    rows=(
+        ("q1", "0", "0", "0"),
+        ("q2 + pi/3", "0", "a1", "0"),
+        ("0", "q3", "a2", "pi"),
+        ("q4", "d4", "0", "0"),
+    ),
     limits=((-1, 1),) * 4,
     source="chosen here; limits too",
     convention="modified",
@@ -24,7 +29,9 @@ EXTRA = Robot(
 
 
 def numbers(matrix: sp.Matrix, values: dict[str, float]) -> np.ndarray:
-    return np.array(matrix.subs({symbol: values[symbol.name] for symbol in matrix.free_symbols}), dtype=float)
+    return np.array(
+        matrix.subs({symbol: values[symbol.name] for symbol in matrix.free_symbols}), dtype=float
+    )
 
 
 @pytest.mark.parametrize("arm", [*ROBOTS.values(), EXTRA], ids=[*ROBOTS, "scara"])
@@ -34,7 +41,9 @@ def test_closed_forms_have_the_engines_values(arm: Robot):
     printed = arm.frames(None, q)
     assert closed.J.shape == (6, arm.n)
     assert len(closed.frames) == arm.n + 1
-    np.testing.assert_allclose(numbers(closed.J, values), jacobian(arm.chain(), q), rtol=0, atol=1e-13)
+    np.testing.assert_allclose(
+        numbers(closed.J, values), jacobian(arm.chain(), q), rtol=0, atol=1e-13
+    )
     np.testing.assert_allclose(numbers(closed.T, values), printed[-1], rtol=0, atol=1e-13)
     for frame, expected in zip(closed.frames, printed, strict=True):
         np.testing.assert_allclose(numbers(frame, values), expected, rtol=0, atol=1e-13)
@@ -48,7 +57,9 @@ def test_closed_forms_have_the_engines_values_at_random_configurations_and_lengt
     for _ in range(5):
         lengths = {name: float(generator.uniform(-1, 1)) for name in arm.parameters}
         q = generator.uniform(-np.pi, np.pi, arm.n)
-        np.testing.assert_allclose(J(*lengths.values(), *q), jacobian(arm.chain(lengths), q), rtol=0, atol=1e-13)
+        np.testing.assert_allclose(
+            J(*lengths.values(), *q), jacobian(arm.chain(lengths), q), rtol=0, atol=1e-13
+        )
 
 
 @every
@@ -76,7 +87,9 @@ def operations(arm: Robot) -> int:
     return sum(sp.count_ops(entry) for entry in shorthand(arm.symbolic().J))
 
 
-@pytest.mark.parametrize(("name", "most"), [("puma560", 84), ("ur5", 117), ("stanford", 127), ("panda", 915)])
+@pytest.mark.parametrize(
+    ("name", "most"), [("puma560", 84), ("ur5", 117), ("stanford", 127), ("panda", 915)]
+)
 def test_a_jacobian_takes_no_more_operations_than_this(name: str, most: int):
     assert operations(ROBOTS[name]) <= most
 
@@ -84,7 +97,11 @@ def test_a_jacobian_takes_no_more_operations_than_this(name: str, most: int):
 def test_the_puma_takes_at_most_65_operations_after_common_subexpressions():
     arm = ROBOTS["puma560"]
     replaced, (reduced,) = sp.cse(shorthand(arm.symbolic().J))
-    assert sum(sp.count_ops(entry) for _, entry in replaced) + sum(sp.count_ops(entry) for entry in reduced) <= 65
+    assert (
+        sum(sp.count_ops(entry) for _, entry in replaced)
+        + sum(sp.count_ops(entry) for entry in reduced)
+        <= 65
+    )
 
 
 @pytest.mark.parametrize(
@@ -131,12 +148,16 @@ def test_a_square_of_a_sine_becomes_one_of_the_cosine():
     q, p = sp.Symbol("q1", real=True), sp.Symbol("q2", real=True)
     given = polynomial(sp.sin(q) ** 5 * sp.cos(p) + sp.sin(q) ** 2 + sp.cos(q) ** 2)
     left = reduced(given)
-    assert sp.expand(left.expression() - ((1 - sp.cos(q) ** 2) ** 2 * sp.sin(q) * sp.cos(p) + 1)) == 0
+    assert (
+        sp.expand(left.expression() - ((1 - sp.cos(q) ** 2) ** 2 * sp.sin(q) * sp.cos(p) + 1)) == 0
+    )
 
 
 def test_planar_entries_are_those_of_the_textbook():
     arm = ROBOTS["planar_2r"]
-    l1, l2, s1, s12, c1, c12 = (sp.Symbol(name, real=True) for name in ("l1", "l2", "s_1", "s_12", "c_1", "c_12"))
+    l1, l2, s1, s12, c1, c12 = (
+        sp.Symbol(name, real=True) for name in ("l1", "l2", "s_1", "s_12", "c_1", "c_12")
+    )
     expected = sp.Matrix([[-l1 * s1 - l2 * s12, -l2 * s12], [l1 * c1 + l2 * c12, l2 * c12]])
     assert shorthand(arm.symbolic().J[:2, :]) == expected
     assert sp.latex(shorthand(arm.symbolic().J[0, 1])) == "- l_{2} s_{12}"

@@ -8,8 +8,17 @@ import pytest
 from courses import lever
 from kinegrade.course.config import Student
 from kinegrade.course.grading import Result
-from kinegrade.course.tables import MARKS, grades_csv, legend, points_text, remark, results_json, status, terminal_table
-from kinegrade.grader.verdict import STATUS_WORDS, Finding, Verdict, not_graded
+from kinegrade.course.tables import (
+    MARKS,
+    grades_csv,
+    legend,
+    points_text,
+    remark,
+    results_json,
+    status,
+    terminal_table,
+)
+from kinegrade.grader.marking.verdict import STATUS_WORDS, Finding, Verdict, not_graded
 from rich.console import Console
 
 ADA = Student("ada", "Ada Lovelace")
@@ -42,19 +51,34 @@ def test_every_status_has_a_mark_of_its_own_and_a_word():
 
 def test_the_table_has_a_mark_for_every_part_the_points_and_the_first_remark(tmp_path):
     full = result(verdict(), verdict("lever_J", "partly", 1.25, "Look at row 2."))
-    lines = printed(tmp_path, [full, result(student=Student("benedict", "B"), reason="no submission")]).splitlines()
+    lines = printed(
+        tmp_path, [full, result(student=Student("benedict", "B"), reason="no submission")]
+    ).splitlines()
     assert ["student", "lever", "points", "first", "remark"] in [line.split() for line in lines]
-    assert ["ada", "✓◐", "3.25", "/", "4", "lever_J:", "Look", "at", "row", "2."] in [line.split() for line in lines]
+    assert ["ada", "✓◐", "3.25", "/", "4", "lever_J:", "Look", "at", "row", "2."] in [
+        line.split() for line in lines
+    ]
     assert ["benedict", "—", "no", "submission"] in [line.split() for line in lines]
 
 
 def test_ids_and_marks_are_never_broken_over_lines(tmp_path):
     long = result(verdict("lever_p", "partly", 1.0, "word " * 60), student=Student("x" * 40, "X"))
-    assert any(line.strip().startswith("x" * 40) for line in printed(tmp_path, [long], width=100).splitlines())
+    assert any(
+        line.strip().startswith("x" * 40)
+        for line in printed(tmp_path, [long], width=100).splitlines()
+    )
 
 
 @pytest.mark.parametrize(
-    "text", ["[/b] [red]x[/red]", "[bold", "\x1b]0;title\x07\x1b[2J", "a\rb\u202ec", "\ud800", "[link=x]y[/]"]
+    "text",
+    [
+        "[/b] [red]x[/red]",
+        "[bold",
+        "\x1b]0;title\x07\x1b[2J",
+        "a\rb\u202ec",
+        "\ud800",
+        "[link=x]y[/]",
+    ],
 )
 @pytest.mark.parametrize("color", [False, True])
 def test_a_remark_is_shown_as_text_and_never_obeyed(tmp_path, text, color):
@@ -74,8 +98,16 @@ def test_a_remark_is_shown_as_text_and_never_obeyed(tmp_path, text, color):
         ((verdict(), verdict("lever_J", "partly", 0.5)), "2.5 / 4", "graded"),
         ((verdict("lever_p", "missing", 0.0),), "0 / 2", "graded"),
         ((verdict(), not_graded("lever_J", 3, "wait")), "2 + ? / 5", "not_graded"),
-        ((verdict("lever_p", "missing", 0.0), not_graded("lever_J", 3, "wait")), "0 + ? / 5", "not_graded"),
-        ((not_graded("lever_p", 2, "wait"), not_graded("lever_J", 3, "wait")), "not graded", "not_graded"),
+        (
+            (verdict("lever_p", "missing", 0.0), not_graded("lever_J", 3, "wait")),
+            "0 + ? / 5",
+            "not_graded",
+        ),
+        (
+            (not_graded("lever_p", 2, "wait"), not_graded("lever_J", 3, "wait")),
+            "not graded",
+            "not_graded",
+        ),
         ((), "—", "no_submission"),
     ],
 )
@@ -85,21 +117,29 @@ def test_what_waits_is_never_a_zero(verdicts, points, word):
 
 
 def test_a_remark_is_the_sentence_without_the_typed_lines_behind_it(tmp_path):
-    found = result(verdict("lever_p", "failed", 0.0, "Row 1: the bracket is not closed.\nsin(q1\n   ^"))
+    found = result(
+        verdict("lever_p", "failed", 0.0, "Row 1: the bracket is not closed.\nsin(q1\n   ^")
+    )
     assert remark(found) == "lever_p: Row 1: the bracket is not closed."
-    plain = printed(tmp_path, [result(verdict("lever_p", "failed", 0.0, "Row 1: the bracket is not closed."))])
+    plain = printed(
+        tmp_path, [result(verdict("lever_p", "failed", 0.0, "Row 1: the bracket is not closed."))]
+    )
     assert printed(tmp_path, [found]) == plain
 
 
 def test_a_part_that_is_right_has_no_remark():
-    right, wrong = verdict("lever_p", "correct", 2.0, "Well done."), verdict("lever_J", "partly", 1.0, "Look again.")
+    right, wrong = (
+        verdict("lever_p", "correct", 2.0, "Well done."),
+        verdict("lever_J", "partly", 1.0, "Look again."),
+    )
     assert remark(result(right, wrong)) == "lever_J: Look again."
     assert remark(result(right)) == ""
 
 
 def test_a_remark_for_students_leaves_out_what_is_private():
     found = result(
-        verdict("lever_p", "incorrect", 0.0, "secret", private=True), verdict("lever_J", "partly", 1.0, "open")
+        verdict("lever_p", "incorrect", 0.0, "secret", private=True),
+        verdict("lever_J", "partly", 1.0, "open"),
     )
     assert remark(found) == "lever_p: secret"
     assert remark(found, public=True) == "lever_J: open"
@@ -116,9 +156,21 @@ def test_grades_are_quoted_one_row_per_student_with_a_column_per_part():
 
 
 def test_a_grade_that_is_not_there_is_empty():
-    waiting, absent = rows([result(verdict(), not_graded("lever_J", 3, "wait")), result(student=Student("ben", "B"))])
-    assert (waiting["points"], waiting["out_of"], waiting["lever_p"], waiting["lever_J"]) == ("", "5", "2", "")
-    assert (absent["points"], absent["out_of"], absent["lever_p"], absent["status"]) == ("", "", "", "no_submission")
+    waiting, absent = rows(
+        [result(verdict(), not_graded("lever_J", 3, "wait")), result(student=Student("ben", "B"))]
+    )
+    assert (waiting["points"], waiting["out_of"], waiting["lever_p"], waiting["lever_J"]) == (
+        "",
+        "5",
+        "2",
+        "",
+    )
+    assert (absent["points"], absent["out_of"], absent["lever_p"], absent["status"]) == (
+        "",
+        "",
+        "",
+        "no_submission",
+    )
 
 
 @pytest.mark.parametrize("name", ["=1+1", "+cmd|' /C calc'!A0", "-2", "@SUM(A1)", "\t=1", "\r=1"])
@@ -132,7 +184,9 @@ def test_a_name_comes_back_as_it_is(name):
 
 
 def test_json_holds_everything_a_script_would_want():
-    found = result(verdict("lever_p", "partly", 1.25, "half \ud800"), not_graded("lever_J", 3, "wait"))
+    found = result(
+        verdict("lever_p", "partly", 1.25, "half \ud800"), not_graded("lever_J", 3, "wait")
+    )
     (data,) = json.loads(results_json([found]))
     assert (data["student"], data["sheet"], data["status"], data["points"], data["out_of"]) == (
         "ada",

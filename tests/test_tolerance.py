@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from answers import variant_of
 from kinegrade.exercises.exercise import Numbers, Part, TableOf, references
-from kinegrade.grader.tolerance import CAP, FLOOR, block_scale, tolerance
+from kinegrade.grader.marking.tolerance import CAP, FLOOR, block_scale, tolerance
 
 
 def part(answer, solve, **more):
@@ -27,14 +27,20 @@ def test_a_part_that_needs_nothing_allows_a_unit_of_the_last_decimal():
 
 def test_an_ill_conditioned_part_allows_what_rounding_its_needs_moves():
     J = np.array([[1.0, 0.9], [0.9, 1.0]])
-    asked = part(Numbers((2,), "rad/s", decimals=3), lambda _, given: np.linalg.solve(given["t_J"], [1.0, 1.0]))
+    asked = part(
+        Numbers((2,), "rad/s", decimals=3),
+        lambda _, given: np.linalg.solve(given["t_J"], [1.0, 1.0]),
+    )
     plain = part(Numbers((2,), "rad/s", decimals=3), lambda *_: np.linalg.solve(J, [1.0, 1.0]))
     assert (allowed_for(asked, {"t_J": J}) > 1.3 * allowed_for(plain)).all()
 
 
 def test_the_cap_keeps_zero_from_passing():
     J = np.diag([1e-5, 1.0])
-    asked = part(Numbers((2,), "rad/s", decimals=1), lambda _, given: np.linalg.solve(given["t_J"], [1.0, 1.0]))
+    asked = part(
+        Numbers((2,), "rad/s", decimals=1),
+        lambda _, given: np.linalg.solve(given["t_J"], [1.0, 1.0]),
+    )
     allowed = allowed_for(asked, {"t_J": J})
     assert allowed[0] == pytest.approx(CAP * 1e5)
     assert allowed[1] < CAP * 1e5
@@ -57,7 +63,9 @@ def test_a_prismatic_column_is_measured_against_one_not_against_a_length():
 
 
 def test_rates_are_measured_against_the_largest_rate():
-    np.testing.assert_array_equal(block_scale(Numbers((2,), "rad/s"), np.array([0.1, -7]), 1.0), [7, 7])
+    np.testing.assert_array_equal(
+        block_scale(Numbers((2,), "rad/s"), np.array([0.1, -7]), 1.0), [7, 7]
+    )
 
 
 def test_a_tolerance_is_for_numbers_only():
@@ -79,7 +87,14 @@ def test_every_tolerance_of_every_exercise_is_positive_and_small(exercise):
 
 def test_a_need_is_rounded_to_its_own_decimals_where_they_are_fewer():
     coarse = part(Numbers((2, 2), decimals=2), lambda *_: np.eye(2))
-    fine = Part("t_y", "y?", 1, Numbers((2,), decimals=5), lambda _, given: given["t_x"] @ [1.0, 1.0], needs=("t_x",))
+    fine = Part(
+        "t_y",
+        "y?",
+        1,
+        Numbers((2,), decimals=5),
+        lambda _, given: given["t_x"] @ [1.0, 1.0],
+        needs=("t_x",),
+    )
     exercise = SimpleNamespace(slug="t", scale=lambda _: 1.0, parts=(coarse, fine))
     given = {"t_x": np.eye(2)}
     allowed = tolerance(exercise, fine, {}, given, fine.solve({}, given))

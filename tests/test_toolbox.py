@@ -115,8 +115,20 @@ def table(name: str) -> DHRobot:
             0.0 if link[key] == "q" else float(parse(link[key], ()).at({}))
             for key in ("theta", "d", "a", "alpha", "offset")
         )
-        links.append(DHLink(theta, d, a, alpha, offset, int(link["kind"] == "P"), int(golden["convention"] == "mod")))
-    tool = steps_transform([(m.capitalize(), float(parse(amount, ()).at({}))) for m, amount in golden["tool"]])
+        links.append(
+            DHLink(
+                theta,
+                d,
+                a,
+                alpha,
+                offset,
+                int(link["kind"] == "P"),
+                int(golden["convention"] == "mod"),
+            )
+        )
+    tool = steps_transform(
+        [(m.capitalize(), float(parse(amount, ()).at({}))) for m, amount in golden["tool"]]
+    )
     return DHRobot(links, tool=SE3(tool))
 
 
@@ -127,7 +139,11 @@ def panda() -> ETS:
         [("Tz", 0.333)], [("Rx", -half)], [("Rx", half), ("Tz", 0.316)], [("Tx", 0.0825), ("Rx", half)],
         [("Tx", -0.0825), ("Rx", -half), ("Tz", 0.384)], [("Rx", half)], [("Tx", 0.088), ("Rx", half), ("Tz", 0.107)],
     ]  # fmt: skip
-    elements = [e for steps, joint in zip(between, joints, strict=True) for e in (*(fixed(*s) for s in steps), joint)]
+    elements = [
+        e
+        for steps, joint in zip(between, joints, strict=True)
+        for e in (*(fixed(*s) for s in steps), joint)
+    ]
     return ETS([*elements, fixed("Tz", 0.103), fixed("Rz", -np.pi / 4)])
 
 
@@ -143,7 +159,9 @@ def test_a_dh_robot_is_its_golden_twin(name: str):
     chain, cases = from_toolbox(table(name)), GOLDEN[name]["cases"]
     q = [case["q"] for case in cases]
     np.testing.assert_allclose(forward(chain, q), [case["T"] for case in cases], rtol=0, atol=1e-12)
-    np.testing.assert_allclose(jacobian(chain, q), [case["jacob0"] for case in cases], rtol=0, atol=1e-12)
+    np.testing.assert_allclose(
+        jacobian(chain, q), [case["jacob0"] for case in cases], rtol=0, atol=1e-12
+    )
 
 
 @pytest.mark.parametrize("name", ["puma560", "stanford", "ur5", "panda"])
@@ -163,7 +181,9 @@ def test_base_and_tool_stand_before_and_behind(robot: Any):
     bare = from_toolbox(replace(robot, tool=SE3()))
     dressed = from_toolbox(replace(robot, base=SE3(base), tool=tool))
     q = np.linspace(0.1, 0.9, bare.n)
-    np.testing.assert_allclose(forward(dressed, q), base @ forward(bare, q) @ tool, rtol=0, atol=1e-14)
+    np.testing.assert_allclose(
+        forward(dressed, q), base @ forward(bare, q) @ tool, rtol=0, atol=1e-14
+    )
     same_motion(from_toolbox(replace(robot, base=None, tool=None)), bare)
 
 
@@ -177,7 +197,9 @@ def test_offsets_are_added_and_what_q_replaces_is_ignored(mdh: int, sigma: int):
     turn, lift = (0.4, 1.2) if sigma else (1.2, 0.4)
     row = [("Rz", turn), ("Tz", lift)]
     expected = steps_transform([*before, *row] if mdh else [*row, *behind])
-    np.testing.assert_allclose(forward(from_toolbox(DHRobot([link])), [0.5]), expected, rtol=0, atol=1e-15)
+    np.testing.assert_allclose(
+        forward(from_toolbox(DHRobot([link])), [0.5]), expected, rtol=0, atol=1e-15
+    )
 
 
 @pytest.mark.parametrize("sigma", [0, 1])
@@ -185,7 +207,9 @@ def test_offsets_are_added_and_what_q_replaces_is_ignored(mdh: int, sigma: int):
 def test_a_flipped_joint_moves_backwards_from_its_offset(sigma: int, mdh: int):
     link = DHLink(theta=0.2, d=0.4, a=0.3, alpha=0.5, offset=0.7, sigma=sigma, mdh=mdh)
     plain, flipped = (from_toolbox(DHRobot([link, replace(link, isflip=f)])) for f in (False, True))
-    np.testing.assert_allclose(forward(flipped, [0.3, 0.6]), forward(plain, [0.3, -0.6]), rtol=0, atol=1e-15)
+    np.testing.assert_allclose(
+        forward(flipped, [0.3, 0.6]), forward(plain, [0.3, -0.6]), rtol=0, atol=1e-15
+    )
     J, mirrored = jacobian(flipped, [0.3, 0.6]), jacobian(plain, [0.3, -0.6]) * (1, -1)
     np.testing.assert_allclose(J, mirrored, rtol=0, atol=1e-15)
 
@@ -224,12 +248,21 @@ def test_the_joints_of_a_branch_keep_their_numbers():
         ([1, 2], "an ETS takes elementary transforms, got an object of type int"),
         (ETS([]), "takes a robot with joints, got none that moves"),
         (ETS([fixed("Tx", 1.0)]), "takes a robot with joints, got none that moves"),
-        (ETS([ET("Rz", jindex=1), ET("Rz", jindex=0)]), r"numbered in the order in which they stand, got \[1, 0\]"),
+        (
+            ETS([ET("Rz", jindex=1), ET("Rz", jindex=0)]),
+            r"numbered in the order in which they stand, got \[1, 0\]",
+        ),
         (ETS([ET("R", jindex=0)]), "a joint takes one of Rx, Ry, Rz, tx, ty, tz, got R"),
-        (ETS([ET("SE2", np.eye(3)), ET("Rz")]), r"takes one transform of shape \(4, 4\) in numbers, got .* \(3, 3\)"),
+        (
+            ETS([ET("SE2", np.eye(3)), ET("Rz")]),
+            r"takes one transform of shape \(4, 4\) in numbers, got .* \(3, 3\)",
+        ),
         (DHRobot([DHLink(a=[1])]), r"a row takes a number for a, got \[1\]"),
         (DHRobot([DHLink(d="d1")]), "a row takes a number for d, got 'd1'"),
-        (DHRobot([DHLink()], base=SE3([np.eye(4)] * 2)), r"the base takes one transform of shape \(4, 4\)"),
+        (
+            DHRobot([DHLink()], base=SE3([np.eye(4)] * 2)),
+            r"the base takes one transform of shape \(4, 4\)",
+        ),
         (DHRobot([DHLink()], tool=SE3(np.full((4, 4), np.nan))), "the tool takes one transform"),
     ],
 )
@@ -239,5 +272,7 @@ def test_what_is_no_chain_is_refused_with_a_sentence(robot: Any, sentence: str):
 
 
 def test_the_toolbox_is_not_imported():
-    code = "import sys; import kinegrade.solutions.toolbox; sys.exit('roboticstoolbox' in sys.modules)"
+    code = (
+        "import sys; import kinegrade.solutions.toolbox; sys.exit('roboticstoolbox' in sys.modules)"
+    )
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0

@@ -6,8 +6,8 @@ from typing import Any
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from kinegrade.grader.reading.typed import typed
 from kinegrade.solutions.expression import ExpressionError, parse
-from kinegrade.solutions.typed import typed
 
 NAMES = ("q1", "q2", "q3", "l1", "a_2", "d1", "alpha1")
 TWELVE = tuple(f"q{i}" for i in range(1, 13))
@@ -84,12 +84,19 @@ def test_a_name_is_itself_before_it_is_a_shorthand(text: str, names: tuple[str, 
 
 
 def test_joints_may_be_called_theta():
-    assert typed("th_1 + θ₂", ("theta1", "theta2")) == parse("theta1 + theta2", ("theta1", "theta2"))
+    assert typed("th_1 + θ₂", ("theta1", "theta2")) == parse(
+        "theta1 + theta2", ("theta1", "theta2")
+    )
 
 
 @pytest.mark.parametrize(
     ("text", "long"),
-    [("s23", "sin(q2 + q3)"), ("c10", "cos(q10)"), ("s1112", "sin(q11 + q12)"), ("s910", "sin(q9 + q10)")],
+    [
+        ("s23", "sin(q2 + q3)"),
+        ("c10", "cos(q10)"),
+        ("s1112", "sin(q11 + q12)"),
+        ("s910", "sin(q9 + q10)"),
+    ],
 )
 def test_digits_are_read_with_twelve_joints_where_one_cut_is_possible(text: str, long: str):
     assert typed(text, TWELVE) == parse(long, TWELVE)
@@ -106,7 +113,9 @@ def test_digits_are_read_with_twelve_joints_where_one_cut_is_possible(text: str,
         ("l1*M", ("l1", "m_", "m"), "'M' may be m or m_"),
     ],
 )
-def test_what_may_be_two_things_is_refused_with_both(text: str, names: tuple[str, ...], message: str):
+def test_what_may_be_two_things_is_refused_with_both(
+    text: str, names: tuple[str, ...], message: str
+):
     error = refusal(text, names)
     assert (error.message, error.offset) == (message, 3)
 
@@ -199,10 +208,24 @@ JOINTS = st.sets(st.integers(1, 9), min_size=1).map(sorted)
 def test_any_rising_digits_are_the_sum_of_their_joints(stem: str, joints: list[int]):
     function = "sin" if stem[0] in "sS" else "cos"
     text = f"2*{stem}{''.join(map(str, joints))}^2"
-    assert typed(text, TWELVE[:9]) == parse(f"2*{function}({' + '.join(f'q{i}' for i in joints)})^2", TWELVE)
+    assert typed(text, TWELVE[:9]) == parse(
+        f"2*{function}({' + '.join(f'q{i}' for i in joints)})^2", TWELVE
+    )
 
 
-SHORT = ["s1", "c_23", "θ₂", "L1", "rrt_d1", "√2", "sec(q1)", "sin²(q3)", "np.pi", "atan2(s1, c1)", "q2²"]
+SHORT = [
+    "s1",
+    "c_23",
+    "θ₂",
+    "L1",
+    "rrt_d1",
+    "√2",
+    "sec(q1)",
+    "sin²(q3)",
+    "np.pi",
+    "atan2(s1, c1)",
+    "q2²",
+]
 
 
 @given(st.lists(st.tuples(st.sampled_from(SHORT), st.sampled_from("+-*/")), min_size=1, max_size=6))

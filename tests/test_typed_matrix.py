@@ -9,15 +9,17 @@ from typing import Any
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from kinegrade.grader.reading.typed import typed
+from kinegrade.grader.reading.typed_equations import typed_equations
+from kinegrade.grader.reading.typed_matrix import typed_matrix
 from kinegrade.solutions.condition import equations_of
 from kinegrade.solutions.expression import ExpressionError, parse
-from kinegrade.solutions.typed import typed
-from kinegrade.solutions.typed_equations import typed_equations
-from kinegrade.solutions.typed_matrix import typed_matrix
 
 NAMES = ("q1", "q2", "q3", "a", "b", "c", "d", "a1")
 ABCD = [["a", "b"], ["c", "d"]]
-BAD: list[dict[str, str]] = json.loads((Path(__file__).parent / "data" / "bad_inputs.json").read_text(encoding="utf-8"))
+BAD: list[dict[str, str]] = json.loads(
+    (Path(__file__).parent / "data" / "bad_inputs.json").read_text(encoding="utf-8")
+)
 REFUSED = None
 READ: dict[str, tuple[Any, Any, Any]] = {  # as a formula, as a matrix, as conditions
     "1e-3": (0.001, [[0.001]], REFUSED),
@@ -207,15 +209,23 @@ def test_the_caret_stands_in_the_whole_matrix():
     assert refusal(typed_matrix, "[θ₁, 1;\n 2q1, 0]").caret == "[θ₁, 1;  2q1, 0]\n          ^"
 
 
-@pytest.mark.parametrize(("read", "what"), [(typed_matrix, "a matrix"), (typed_equations, "a condition")])
+@pytest.mark.parametrize(
+    ("read", "what"), [(typed_matrix, "a matrix"), (typed_equations, "a condition")]
+)
 def test_what_is_no_text_is_refused(read: Callable, what: str):
     assert refusal(read, [["a"]]).message == f"{what} takes text, got list"
 
 
-ENTRY = st.sampled_from(["a", "-b", "c1", "s12*a", "(a -b)", "2", "atan2(a, b)", "a - b", "√2", "q1²"])
+ENTRY = st.sampled_from(
+    ["a", "-b", "c1", "s12*a", "(a -b)", "2", "atan2(a, b)", "a - b", "√2", "q1²"]
+)
 
 
-@given(st.integers(1, 3).flatmap(lambda n: st.lists(st.lists(ENTRY, min_size=n, max_size=n), min_size=1, max_size=3)))
+@given(
+    st.integers(1, 3).flatmap(
+        lambda n: st.lists(st.lists(ENTRY, min_size=n, max_size=n), min_size=1, max_size=3)
+    )
+)
 def test_all_ways_to_write_a_matrix_are_one_matrix(rows: list[list[str]]):
     lines = [", ".join(row) for row in rows]
     expected = [[typed(entry, NAMES) for entry in row] for row in rows]
@@ -257,7 +267,10 @@ INTEGERS = [f"q2 - {f'(-{-k}*pi)' if k < 0 else f'{k}*pi'}" for k in range(-4, 5
         ("(q2 = 0 or q2 = pi) and q3 = ±1", ["q2*(q2 - pi) = 0 and (q3 - 1)*(q3 - (-1)) = 0"]),
         ("q2 = 0 and q3 = 0 or q1 = 0", ["q2 = 0 and q3 = 0", "q1"]),
         ("(q2 = 0 and q3 = 0) or (q1 = 0)", ["q2 = 0 and q3 = 0", "q1"]),
-        ("q1 = 0, pi; (q2 = 0) and\n (q3 = 0)\na = b", ["q1", "q1 - pi", "q2 = 0 and q3 = 0", "a - b"]),
+        (
+            "q1 = 0, pi; (q2 = 0) and\n (q3 = 0)\na = b",
+            ["q1", "q1 - pi", "q2 = 0 and q3 = 0", "a - b"],
+        ),
         ("q2 = 0\nand q3 = 0", ["q2 = 0 and q3 = 0"]),
     ],
 )
@@ -276,7 +289,9 @@ def test_free_integers_of_equations_that_hold_at_once_run_each_for_itself():
     (condition,) = typed_equations("q2 = k*pi and q3 = n*pi", NAMES)
     for expression, name in zip(equations_of(condition), ("q2", "q3"), strict=True):
         values = [float(expression.at({name: turns * math.pi / 2})) for turns in range(-9, 10)]
-        assert [value == 0 for value in values] == [abs(turns) < 9 and turns % 2 == 0 for turns in range(-9, 10)]
+        assert [value == 0 for value in values] == [
+            abs(turns) < 9 and turns % 2 == 0 for turns in range(-9, 10)
+        ]
 
 
 def test_an_integer_that_is_a_name_is_the_name():
@@ -300,9 +315,17 @@ def test_an_integer_that_is_a_name_is_the_name():
         ("q2 = 0 and pi", 11, "an equation takes two sides"),
         ("q2 = 0 or pi and q3 = 0", 10, "an equation takes two sides"),
         ("q2 = 0 and 1 = 1", 11, "a condition takes a joint"),
-        ("q1 = 0, q2 = 0 and q3 = 0", 8, "beside 'and' a comma between equations may be an 'or' or an 'and'"),
+        (
+            "q1 = 0, q2 = 0 and q3 = 0",
+            8,
+            "beside 'and' a comma between equations may be an 'or' or an 'and'",
+        ),
         ("s1, s2 and s3", 4, "beside 'and' a comma between equations may be an 'or' or an 'and'"),
-        ("q2 = k*pi and q3 = k*pi", 19, "'k' in two equations may be one and the same or not: list the values"),
+        (
+            "q2 = k*pi and q3 = k*pi",
+            19,
+            "'k' in two equations may be one and the same or not: list the values",
+        ),
         ("q2 = ±1 and q3 = +-1", 17, "'±' in two equations may be one and the same or not"),
         ("((q1 = 0 and q2 = 0) or q3 = 0) and a = b", 9, "brackets take one equation here"),
         ("q1 = 0" + " and q1 = 0" * 8, 88, "up to 8 equations hold at once, got 9"),

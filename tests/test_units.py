@@ -3,8 +3,15 @@
 import math
 
 import pytest
+from kinegrade.exercises.units import (
+    UNITS,
+    UnitError,
+    converted,
+    dimension,
+    refuse_unknown_unit,
+)
+from kinegrade.grader.reading.quantities import typed_quantity
 from kinegrade.solutions.expression import ExpressionError
-from kinegrade.solutions.units import UNITS, UnitError, converted, dimension, refuse_unknown_unit, typed_quantity
 
 
 @pytest.mark.parametrize(
@@ -106,7 +113,8 @@ def test_what_is_no_text_is_refused():
 
 
 @pytest.mark.parametrize(
-    ("unit", "nearest"), [("Nm", "N m"), ("m/sec", "m/s"), ("radians", "rad"), ("N*m", "N m"), ("rad/s2", "rad/s^2")]
+    ("unit", "nearest"),
+    [("Nm", "N m"), ("m/sec", "m/s"), ("radians", "rad"), ("N*m", "N m"), ("rad/s2", "rad/s^2")],
 )
 def test_an_unknown_unit_is_refused_with_the_nearest(unit: str, nearest: str):
     with pytest.raises(UnitError) as caught:

@@ -18,7 +18,13 @@ FILES = sorted((Path(__file__).parent / "data" / "golden").glob("*.urdf"))
 golden_files = pytest.mark.parametrize("path", FILES, ids=[path.stem for path in FILES])
 
 
-def joint(name: str, parent: str, child: str, kind: str = "revolute", inside: str = "<limit lower='-1' upper='2'/>"):
+def joint(
+    name: str,
+    parent: str,
+    child: str,
+    kind: str = "revolute",
+    inside: str = "<limit lower='-1' upper='2'/>",
+):
     ends = f"<parent link='{parent}'/><child link='{child}'/>"
     return f"<joint name='{name}' type='{kind}'>{ends}{inside}</joint>"
 
@@ -70,7 +76,12 @@ def test_names_limits_and_ends_are_those_of_the_file(path: Path):
 def test_a_text_is_read_as_a_path_is():
     text = FILES[0].read_text(encoding="utf-8")
     expected = read_urdf(FILES[0]).chain.fixed
-    for written in (text, "\n  " + text, "\ufeff" + text, "<?xml version='1.0' encoding='utf-8'?>" + text):
+    for written in (
+        text,
+        "\n  " + text,
+        "\ufeff" + text,
+        "<?xml version='1.0' encoding='utf-8'?>" + text,
+    ):
         np.testing.assert_array_equal(read_urdf(written).chain.fixed, expected)
 
 
@@ -88,12 +99,16 @@ def test_fixed_joints_are_merged_and_a_missing_origin_is_none():
     found = read_urdf(robot(joint("weld", "a", "b", "fixed", inside), joint("j", "b", "c")))
     weld = steps_transform([("Tx", 1), ("Ty", 2), ("Tz", 3), ("Rz", 0.3), ("Ry", 0.2), ("Rx", 0.1)])
     assert (found.chain.kinds, found.names) == ("R", ("j",))
-    np.testing.assert_allclose(forward(found.chain, [0.5]), weld @ elementary("Rx", 0.5), rtol=0, atol=1e-15)
+    np.testing.assert_allclose(
+        forward(found.chain, [0.5]), weld @ elementary("Rx", 0.5), rtol=0, atol=1e-15
+    )
 
 
 def test_a_joint_moves_about_its_axis_and_x_where_none_is_written():
     oblique = "<axis xyz='0 3 4'/><limit lower='-1' upper='2'/>"
-    found = read_urdf(robot(joint("slide", "a", "b", "prismatic", oblique), joint("turn", "b", "c")))
+    found = read_urdf(
+        robot(joint("slide", "a", "b", "prismatic", oblique), joint("turn", "b", "c"))
+    )
     T = forward(found.chain, [0.5, 0.7])
     expected = steps_transform([("Ty", 0.3), ("Tz", 0.4), ("Rx", 0.7)])
     np.testing.assert_allclose(T, expected, rtol=0, atol=1e-15)
@@ -107,7 +122,9 @@ def test_a_continuous_joint_is_revolute_with_one_turn_as_limits():
 
 
 def test_a_limit_left_out_is_zero_as_the_format_has_it():
-    found = read_urdf(robot(joint("j", "a", "b", inside="<limit upper='0.5' effort='1'/>"), links="ab"))
+    found = read_urdf(
+        robot(joint("j", "a", "b", inside="<limit upper='0.5' effort='1'/>"), links="ab")
+    )
     assert found.limits == ((0.0, 0.5),)
 
 
@@ -122,21 +139,69 @@ def test_joints_off_the_way_are_not_looked_at():
         (BRANCHED, {}, "tip takes one of c, e, as the robot branches after a, got none"),
         (BRANCHED, {"tip": "hand"}, "tip takes one of a, b, c, d, e, got 'hand'"),
         (BRANCHED, {"base": "hand"}, "base takes one of a, b, c, d, e, got 'hand'"),
-        (BRANCHED, {"base": "d", "tip": "c"}, "base takes a link on the way from the root to c, a, b, c, got d"),
-        (BRANCHED, {"tip": "d"}, "joint right takes a type of revolute, continuous, prismatic, fixed .*, got floating"),
-        (BRANCHED, {"base": "d"}, "joint thumb takes a motion of its own on the way to the tip, got mimic"),
-        (SERIAL, {"tip": "a"}, "the way from a to a takes a joint that moves, got fixed joints only"),
-        (robot(joint("j", "a", "b", "planar"), links="ab"), {}, "joint j takes a type of .*, got planar"),
+        (
+            BRANCHED,
+            {"base": "d", "tip": "c"},
+            "base takes a link on the way from the root to c, a, b, c, got d",
+        ),
+        (
+            BRANCHED,
+            {"tip": "d"},
+            "joint right takes a type of revolute, continuous, prismatic, fixed .*, got floating",
+        ),
+        (
+            BRANCHED,
+            {"base": "d"},
+            "joint thumb takes a motion of its own on the way to the tip, got mimic",
+        ),
+        (
+            SERIAL,
+            {"tip": "a"},
+            "the way from a to a takes a joint that moves, got fixed joints only",
+        ),
+        (
+            robot(joint("j", "a", "b", "planar"), links="ab"),
+            {},
+            "joint j takes a type of .*, got planar",
+        ),
         (robot(joint("j", "a", "b", ""), links="ab"), {}, "joint j takes a type of .*, got none"),
-        (robot(joint("j", "a", "b", "fixed", ""), links="ab"), {}, "takes a joint that moves, got fixed joints only"),
-        (robot(joint("j", "a", "b"), links="abc"), {}, "takes one link that no joint carries, got a, c; choose base"),
+        (
+            robot(joint("j", "a", "b", "fixed", ""), links="ab"),
+            {},
+            "takes a joint that moves, got fixed joints only",
+        ),
+        (
+            robot(joint("j", "a", "b"), links="abc"),
+            {},
+            "takes one link that no joint carries, got a, c; choose base",
+        ),
         (robot(), {}, "takes one link that no joint carries, got a, b, c"),
-        (robot(joint("j", "a", "b"), joint("k", "b", "a")), {"tip": "b", "base": "c"}, "base takes a link on the way"),
-        (robot(joint("j", "a", "b"), joint("k", "b", "a"), links="ab"), {}, "that no joint carries, got none"),
-        (robot(joint("j", "a", "c"), joint("k", "b", "c")), {}, "link c takes one joint above it, got j and k: a loop"),
-        (robot(joint("j", "a", "b"), joint("j", "b", "c")), {}, "joints take names of their own, got j twice"),
+        (
+            robot(joint("j", "a", "b"), joint("k", "b", "a")),
+            {"tip": "b", "base": "c"},
+            "base takes a link on the way",
+        ),
+        (
+            robot(joint("j", "a", "b"), joint("k", "b", "a"), links="ab"),
+            {},
+            "that no joint carries, got none",
+        ),
+        (
+            robot(joint("j", "a", "c"), joint("k", "b", "c")),
+            {},
+            "link c takes one joint above it, got j and k: a loop",
+        ),
+        (
+            robot(joint("j", "a", "b"), joint("j", "b", "c")),
+            {},
+            "joints take names of their own, got j twice",
+        ),
         (robot(joint("j", "a", "z")), {}, "joint j takes links of this robot, got 'z'"),
-        (robot(joint("j", "a", "b", inside=""), links="ab"), {}, "joint j takes limits, as it is revolute, got none"),
+        (
+            robot(joint("j", "a", "b", inside=""), links="ab"),
+            {},
+            "joint j takes limits, as it is revolute, got none",
+        ),
         (
             robot(joint("j", "a", "b", inside="<limit lower='1' upper='-1'/>"), links="ab"),
             {},
@@ -167,16 +232,30 @@ def test_joints_off_the_way_are_not_looked_at():
             {},
             "joint j takes finite numbers in xyz, got '1_0'",
         ),
-        (robot(joint("j", "a", "b"), links="abb"), {}, "links take names of their own, got b twice"),
+        (
+            robot(joint("j", "a", "b"), links="abb"),
+            {},
+            "links take names of their own, got b twice",
+        ),
         ("<robot><joint type='fixed'/></robot>", {}, "a joint takes a name, got none"),
         ("<robot><link/></robot>", {}, "a link takes a name, got none"),
-        ("<robot><joint name='j' type='fixed'/></robot>", {}, "joint j takes a parent link, got none"),
-        ("<robot><joint name='j'><parent/></joint></robot>", {}, "the parent of joint j takes a link, got none"),
+        (
+            "<robot><joint name='j' type='fixed'/></robot>",
+            {},
+            "joint j takes a parent link, got none",
+        ),
+        (
+            "<robot><joint name='j'><parent/></joint></robot>",
+            {},
+            "the parent of joint j takes a link, got none",
+        ),
         ("<model/>", {}, "a URDF takes <robot> as its outermost element, got <model>"),
         ("<robot>", {}, "a URDF takes well-formed XML, got no element found"),
     ],
 )
-def test_what_is_no_serial_chain_is_refused_with_a_sentence(text: str, ends: dict[str, Any], sentence: str):
+def test_what_is_no_serial_chain_is_refused_with_a_sentence(
+    text: str, ends: dict[str, Any], sentence: str
+):
     with pytest.raises(UrdfError, match=sentence):
         read_urdf(text, **ends)
 
@@ -199,7 +278,9 @@ def test_document_types_and_entities_are_refused_before_they_are_read(prolog: st
 
 def test_a_file_that_cannot_be_read_is_refused_with_a_sentence(tmp_path: Path):
     missing = tmp_path / "no.urdf"
-    with pytest.raises(UrdfError, match=r"takes the path of a readable file.*" + re.escape(missing.name)):
+    with pytest.raises(
+        UrdfError, match=r"takes the path of a readable file.*" + re.escape(missing.name)
+    ):
         read_urdf(missing)
     for unreadable in ("", "puma\0", str(tmp_path)):
         with pytest.raises(UrdfError, match="takes the path of a readable file"):

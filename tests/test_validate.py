@@ -4,15 +4,28 @@ import json
 
 import pytest
 from courses import LEVER, make_course
-from kinegrade.course import validate as proof
-from kinegrade.course.validate import KINDS, Validation, chosen, summary, validate, validate_file
-from kinegrade.exercises.catalogue import exercise_files
+from kinegrade.course.proof import validate as proof
+from kinegrade.course.proof.validate import (
+    KINDS,
+    Validation,
+    chosen,
+    summary,
+    validate,
+    validate_file,
+)
+from kinegrade.exercises.files.finding import exercise_files
 
 CHANGES = {
     "solve": ("x, y = given", "x, y, z = given"),
-    "full marks": ("def tip(v, _):", "def tip(v, _, n=[0]):\n    n[0] += 1\n    v = {**v, 'L': v['L'] + n[0]}"),
+    "full marks": (
+        "def tip(v, _):",
+        "def tip(v, _, n=[0]):\n    n[0] += 1\n    v = {**v, 'L': v['L'] + n[0]}",
+    ),
     "nonsense": ("return np.array([-y, x])", "return np.array([0.0, 0.0])"),
-    "mistakes": ('needs=("lever_p",))', 'needs=("lever_p",), mistakes=(Mistake("The same.", column),))'),
+    "mistakes": (
+        'needs=("lever_p",))',
+        'needs=("lever_p",), mistakes=(Mistake("The same.", column),))',
+    ),
     "printable": ('return v["L"] *', 'return 1e7 * v["L"] *'),
     "render": ('"Its Jacobian"', '"Its Jacobian $J"'),
     "solution": (
@@ -42,7 +55,10 @@ def test_a_sound_exercise_passes(tmp_path):
 def test_every_way_of_being_broken_is_found(tmp_path, kind):
     path = lever_file(tmp_path, *CHANGES[kind])
     if kind == "variants":
-        path.write_text(path.read_text(encoding="utf-8").replace("rng.integers(40, 121)", "80"), encoding="utf-8")
+        path.write_text(
+            path.read_text(encoding="utf-8").replace("rng.integers(40, 121)", "80"),
+            encoding="utf-8",
+        )
     found = validate_file(path, 25)
     assert kind in {failure.kind for failure in found.failures}
     assert any(line.startswith(kind) for line in summary(found))
@@ -54,17 +70,31 @@ def test_every_way_of_being_broken_is_found(tmp_path, kind):
         ('"tuple": (1, 2), ', "change on their way through JSON: tuple is a tuple; write a list"),
         ('"x": float("nan"), ', "change on their way through JSON: x is not a number"),
         ('"x": {1: 2}, ', "change on their way through JSON: x has the key 1; write text for it"),
-        ('"x": np.ones(2), ', "draw gives what JSON cannot hold: x is a numpy array; write x.tolist()"),
+        (
+            '"x": np.ones(2), ',
+            "draw gives what JSON cannot hold: x is a numpy array; write x.tolist()",
+        ),
         ('"x": [[rng.integers(9)]], ', "x[0][0] is a numpy int64; write int(x[0][0])"),
         ('"x": np.float32(rng.random()), ', "x is a numpy float32; write float(x)"),
         ('"x": {"a": np.bool_(True)}, ', "x['a'] is a numpy bool; write bool(x['a'])"),
         ('"x": {1, 2}, ', "x is of type set; write numbers, text, lists and dicts"),
-        ('"x": np.random.rand(), ', "draw gives other numbers from an equal generator; take every random number from"),
-        ('"x": np.random.default_rng().random(), ', "take every random number from the rng that it is called with"),
-        ('"x": 1 / 0, ', "draw stopped with ZeroDivisionError: division by zero (line 20 of lever.py)"),
+        (
+            '"x": np.random.rand(), ',
+            "draw gives other numbers from an equal generator; take every random number from",
+        ),
+        (
+            '"x": np.random.default_rng().random(), ',
+            "take every random number from the rng that it is called with",
+        ),
+        (
+            '"x": 1 / 0, ',
+            "draw stopped with ZeroDivisionError: division by zero (line 20 of lever.py)",
+        ),
     ],
 )
-def test_a_draw_that_is_not_plain_numbers_of_its_generator_is_told_what_to_write(tmp_path, drawn, words):
+def test_a_draw_that_is_not_plain_numbers_of_its_generator_is_told_what_to_write(
+    tmp_path, drawn, words
+):
     found = validate_file(lever_file(tmp_path, '"q": [float(', f'{drawn}"q": [float('), 2)
     (line,) = summary(found)
     assert line.startswith("solve, in 2 of 2 draws, first 0: exercise lever: ")
@@ -106,8 +136,12 @@ def test_one_exercise_that_is_quick_starts_no_other_process(tmp_path, monkeypatc
 def test_all_cores_get_about_the_same(monkeypatch):
     monkeypatch.setattr(proof, "_cores", lambda: 2)
     shares = []
-    monkeypatch.setattr(proof, "_side_by_side", lambda chunks: shares.extend(chunks) or map(proof._look_in, chunks))
-    monkeypatch.setattr(proof, "_look_at", lambda _, seeds: (Validation("x", 1, 1, len(seeds), 0.0, ()), [*seeds]))
+    monkeypatch.setattr(
+        proof, "_side_by_side", lambda chunks: shares.extend(chunks) or map(proof._look_in, chunks)
+    )
+    monkeypatch.setattr(
+        proof, "_look_at", lambda _, seeds: (Validation("x", 1, 1, len(seeds), 0.0, ()), [*seeds])
+    )
     monkeypatch.setattr(proof, "WORTH", -1)
     (found,) = validate(["x"], 20)
     assert [(chunk.start, chunk.stop) for _, chunk in shares] == [(4, 12), (12, 20)]
@@ -127,9 +161,13 @@ def test_the_command_prints_a_table_and_exits_by_what_it_found(tmp_path, kinegra
     bad = kinegrade("validate", "lever", "--course", folder, "--draws", 3)
     assert bad.code == 1
     assert "✗ lever: nonsense, lever_J, in 3 of 3 draws, first 0: zeros earns 3.0 of 3" in bad.out
-    before = kinegrade("validate", "lever", "--course", folder, "--seeds", 3)  # as the option was called
+    before = kinegrade(
+        "validate", "lever", "--course", folder, "--seeds", 3
+    )  # as the option was called
     assert complaints(before) == complaints(bad) != []
-    data = json.loads(kinegrade("validate", "lever", "--course", folder, "--draws", 3, "--json").out)
+    data = json.loads(
+        kinegrade("validate", "lever", "--course", folder, "--draws", 3, "--json").out
+    )
     assert data[0]["failures"][0]["kind"] == "nonsense"
 
 
@@ -142,19 +180,28 @@ def test_a_file_that_cannot_be_loaded_is_a_failure_and_stops_no_other(tmp_path):
 
 def test_a_file_that_cannot_be_loaded_is_told_once_and_without_a_count(tmp_path):
     (tmp_path / "broken.py").write_text("EXERCISE = 1 / 0\n", encoding="utf-8")
-    for found in (validate([tmp_path / "broken.py"], 50)[0], validate([tmp_path / "broken.py"] * 2, 50)[0]):
+    for found in (
+        validate([tmp_path / "broken.py"], 50)[0],
+        validate([tmp_path / "broken.py"] * 2, 50)[0],
+    ):
         (line,) = summary(found)
-        assert line.startswith(f"solve: {tmp_path / 'broken.py'}: the exercise file stopped with ZeroDivisionError")
+        assert line.startswith(
+            f"solve: {tmp_path / 'broken.py'}: the exercise file stopped with ZeroDivisionError"
+        )
 
 
 CHECK = "def judged(v, given, value):\n    return value['x']\n\n\nEXERCISE = "
 
 
-def test_an_exception_in_a_check_is_one_line_with_a_count_and_no_traceback(tmp_path, kinegrade, monkeypatch):
+def test_an_exception_in_a_check_is_one_line_with_a_count_and_no_traceback(
+    tmp_path, kinegrade, monkeypatch
+):
     folder = make_course(tmp_path / "course")
     path = lever_file(folder / "exercises", "EXERCISE = ", CHECK)
     text = path.read_text(encoding="utf-8")
-    path.write_text(text.replace('needs=("lever_p",))', 'needs=("lever_p",), check=judged)'), encoding="utf-8")
+    path.write_text(
+        text.replace('needs=("lever_p",))', 'needs=("lever_p",), check=judged)'), encoding="utf-8"
+    )
     ran = kinegrade("validate", "lever", "--course", folder, "--draws", 20)
     lines = complaints(ran)
     assert ran.code == 1
@@ -164,7 +211,9 @@ def test_an_exception_in_a_check_is_one_line_with_a_count_and_no_traceback(tmp_p
         assert "lever_J, in 20 of 20 draws, first 0: marking stopped with IndexError: " in line
         assert line.endswith(f"(line {place} of lever.py)")
     assert "Traceback" not in ran.out + ran.err
-    assert [line for line in ran.err.splitlines() if line.strip()] == ["0 of 1 exercises are valid."]
+    assert [line for line in ran.err.splitlines() if line.strip()] == [
+        "0 of 1 exercises are valid."
+    ]
     monkeypatch.setenv("KINEGRADE_DEBUG", "1")
     assert "Traceback" in kinegrade("validate", "lever", "--course", folder, "--draws", 1).err
 
@@ -174,7 +223,9 @@ def test_nor_does_one_reach_the_terminal_from_another_process(tmp_path, capfd, m
     monkeypatch.setattr(proof, "WORTH", worth)
     path = lever_file(tmp_path, "EXERCISE = ", CHECK)
     path.write_text(
-        path.read_text(encoding="utf-8").replace('needs=("lever_p",))', 'needs=("lever_p",), check=judged)'),
+        path.read_text(encoding="utf-8").replace(
+            'needs=("lever_p",))', 'needs=("lever_p",), check=judged)'
+        ),
         encoding="utf-8",
     )
     validate([path], 24)
@@ -202,7 +253,9 @@ def test_text_for_explain_is_told_what_to_write(tmp_path, explain, words):
 
 def test_without_names_a_course_validates_what_it_uses_and_elsewhere_all_there_is(tmp_path):
     folder = make_course(tmp_path / "course", exercises=("lever", "planar_2r"))
-    (folder / "exercises" / "spare.py").write_text(LEVER.replace("lever", "spare"), encoding="utf-8")
+    (folder / "exercises" / "spare.py").write_text(
+        LEVER.replace("lever", "spare"), encoding="utf-8"
+    )
     (folder / "exercises" / "arms.py").write_text("scale = 1\n", encoding="utf-8")
     assert [path.stem for path in chosen((), folder)] == ["lever", "planar_2r", "spare"]
     assert len(chosen((), tmp_path)) == len(exercise_files())
@@ -211,8 +264,14 @@ def test_without_names_a_course_validates_what_it_uses_and_elsewhere_all_there_i
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        (("gone.py",), "gone.py is not there; validate takes names of exercises, and files that end in .py"),
-        (("lever", "-c", "nowhere"), "nowhere is no folder; --course takes the one with the course.toml"),
+        (
+            ("gone.py",),
+            "gone.py is not there; validate takes names of exercises, and files that end in .py",
+        ),
+        (
+            ("lever", "-c", "nowhere"),
+            "nowhere is no folder; --course takes the one with the course.toml",
+        ),
     ],
 )
 def test_what_is_not_there_is_one_sentence(kinegrade, arguments, words):

@@ -19,8 +19,14 @@ from kinegrade.course.variant import (
     generator,
     moved_parts,
 )
-from kinegrade.exercises.exercise import Configurations, ExerciseError, Manual, Numbers, Part, references
-from kinegrade.exercises.values import pictured
+from kinegrade.exercises.exercise import (
+    Configurations,
+    ExerciseError,
+    Manual,
+    Numbers,
+    Part,
+    references,
+)
 from kinegrade.solutions.errors import KinegradeError
 from kinegrade.solutions.table import read_table
 
@@ -47,11 +53,15 @@ def test_secret_sheet_exercise_student_and_attempt_each_change_the_numbers(other
 
 
 def test_the_same_secret_draws_the_same_record(exercise):
-    assert draw_record(SECRET, "one", "ada", exercise, ()) == draw_record(SECRET, "one", "ada", exercise, ())
+    assert draw_record(SECRET, "one", "ada", exercise, ()) == draw_record(
+        SECRET, "one", "ada", exercise, ()
+    )
 
 
 def test_no_two_of_150_students_get_the_same_numbers(exercise, monkeypatch):
-    monkeypatch.setattr("kinegrade.course.variant.fingerprint", lambda *_: {})  # numbers alone matter here
+    monkeypatch.setattr(
+        "kinegrade.course.variant.fingerprint", lambda *_: {}
+    )  # numbers alone matter here
     taken = set()
     for i in range(150):
         taken.add(canonical(draw_record(SECRET, "one", f"s{i}", exercise, taken).numbers))
@@ -59,7 +69,9 @@ def test_no_two_of_150_students_get_the_same_numbers(exercise, monkeypatch):
 
 
 def narrow(tmp_path, variants):
-    return replace(lever(tmp_path), draw=lambda rng: {"L": float(rng.integers(1, variants + 1)), "q": [0.5]})
+    return replace(
+        lever(tmp_path), draw=lambda rng: {"L": float(rng.integers(1, variants + 1)), "q": [0.5]}
+    )
 
 
 def test_no_two_of_150_students_get_the_same_numbers_where_there_are_only_155(tmp_path):
@@ -83,12 +95,24 @@ def test_a_record_says_which_attempt_drew_it(tmp_path):
 
 def test_a_class_larger_than_the_variants_is_told_so(tmp_path):
     exercise = narrow(tmp_path, 2)
-    with pytest.raises(ExerciseError, match="exercise lever: 1000 draws gave no new numbers; draw from a wider set"):
-        draw_record(SECRET, "one", "ada", exercise, {canonical({"L": length, "q": [0.5]}) for length in (1.0, 2.0)})
+    with pytest.raises(
+        ExerciseError, match="exercise lever: 1000 draws gave no new numbers; draw from a wider set"
+    ):
+        draw_record(
+            SECRET,
+            "one",
+            "ada",
+            exercise,
+            {canonical({"L": length, "q": [0.5]}) for length in (1.0, 2.0)},
+        )
 
 
 def test_equal_numbers_have_one_text_and_others_another():
-    assert canonical({"b": [1.5, 2], "a": 0.1}) == canonical({"a": 0.1, "b": [1.5, 2]}) == '{"a":0.1,"b":[1.5,2]}'
+    assert (
+        canonical({"b": [1.5, 2], "a": 0.1})
+        == canonical({"a": 0.1, "b": [1.5, 2]})
+        == '{"a":0.1,"b":[1.5,2]}'
+    )
     assert canonical({"a": 0.1}) != canonical({"a": 0.10000000000000002})
 
 
@@ -96,13 +120,15 @@ def test_a_fingerprint_is_plain_numbers_of_every_part(exercise):
     """But of those that are marked by hand, from which nothing is computed."""
     v = variant_of(exercise.slug)
     taken = fingerprint(exercise, v)
-    computed = {part.variable: part for part in exercise.parts if not isinstance(part.answer, Manual)}
+    computed = {
+        part.variable: part for part in exercise.parts if not isinstance(part.answer, Manual)
+    }
     assert list(taken) == list(computed)
     assert json.loads(json.dumps(taken)) == taken
     assert not re.search(r"-0\.0[,\]]", json.dumps(taken))  # minus zero
     answers = references(exercise, v)
     for name, part in computed.items():
-        picture = pictured(part.answer, answers[name], v)
+        picture = part.answer.pictured(answers[name], v)
         assert np.size(picture)
         np.testing.assert_allclose(taken[name], picture, rtol=0, atol=6e-10)
         if isinstance(part.answer, Numbers | Configurations):
@@ -114,7 +140,9 @@ def test_a_wrong_answer_in_place_of_the_reference_has_another_fingerprint(exerci
     recorded = Record("ada", "one", exercise.slug, 0, v, fingerprint(exercise, v))
     answers = references(exercise, v)
     for part in exercise.parts:
-        other = edited(exercise, part.variable, lambda *_, part=part: wrong(part, answers[part.variable], v))
+        other = edited(
+            exercise, part.variable, lambda *_, part=part: wrong(part, answers[part.variable], v)
+        )
         try:
             moved = moved_parts(recorded, other)
         except (KinegradeError, ArithmeticError, np.linalg.LinAlgError):
@@ -125,12 +153,16 @@ def test_a_wrong_answer_in_place_of_the_reference_has_another_fingerprint(exerci
 def test_nothing_moves_while_nothing_changes(exercise):
     record = draw_record(SECRET, "one", "ada", exercise, ())
     assert moved_parts(record, exercise) == []
-    stored = replace(record, **{k: json.loads(json.dumps(getattr(record, k))) for k in ("numbers", "answers")})
+    stored = replace(
+        record, **{k: json.loads(json.dumps(getattr(record, k))) for k in ("numbers", "answers")}
+    )
     assert moved_parts(stored, exercise) == []
 
 
 def edited(exercise, variable, solve):
-    parts = [replace(part, solve=solve) if part.variable == variable else part for part in exercise.parts]
+    parts = [
+        replace(part, solve=solve) if part.variable == variable else part for part in exercise.parts
+    ]
     return replace(exercise, parts=tuple(parts))
 
 
@@ -148,7 +180,10 @@ def test_a_change_below_1e_minus_8_moves_nothing(tmp_path, change, moved):
     exercise = lever(tmp_path)
     record = draw_record(SECRET, "one", "ada", exercise, ())
     solve = exercise.parts[0].solve
-    assert moved_parts(record, edited(exercise, "lever_p", lambda v, given: solve(v, given) + change)) == moved
+    assert (
+        moved_parts(record, edited(exercise, "lever_p", lambda v, given: solve(v, given) + change))
+        == moved
+    )
 
 
 def test_a_part_that_came_went_or_changed_its_shape_has_moved(tmp_path):
@@ -170,7 +205,9 @@ def test_a_reference_table_that_changes_has_moved():
         rows = dh(v, given).rows
         cells = [[str(cell) for cell in row] for row in rows]
         cells[0][3] = f"-({cells[0][3]})"
-        return read_table(cells, sorted({name for row in rows for cell in row for name in cell.names}))
+        return read_table(
+            cells, sorted({name for row in rows for cell in row for name in cell.names})
+        )
 
     assert "rrt_dh" in moved_parts(record, edited(exercise, "rrt_dh", flipped))
 

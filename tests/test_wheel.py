@@ -12,7 +12,9 @@ import pytest
 from courses import LEVER
 from wheels import ROOT, SOURCES, build, neighbours, run
 
-WHERE = "import kinegrade.course as c, kinegrade, pathlib; print(pathlib.Path(c.__file__).parents[2])"
+WHERE = (
+    "import kinegrade.course as c, kinegrade, pathlib; print(pathlib.Path(c.__file__).parents[2])"
+)
 
 
 COURSE = """
@@ -36,20 +38,26 @@ def test_an_installed_wheel_holds_everything_and_marks_a_course(tmp_path):
     entries = configparser.ConfigParser()
     entries.read_string(archive.read(entry).decode())
     assert entries["console_scripts"]["kinegrade"] == "kinegrade.course.cli:main"
-    assert entries["pytest11"]["kinegrade"] == "kinegrade.course.pytest_plugin"
+    assert entries["pytest11"]["kinegrade"] == "kinegrade.course.proof.pytest_plugin"
     assert any(name.endswith("licenses/LICENSE") for name in archive.namelist())
 
     options = {"cwd": tmp_path, "env": install(wheel, tmp_path / "installed")}
-    assert run([sys.executable, "-S", "-c", WHERE], **options).strip() == str(tmp_path / "installed")
+    assert run([sys.executable, "-S", "-c", WHERE], **options).strip() == str(
+        tmp_path / "installed"
+    )
     kinegrade("init", "mycourse", **options)
     course = tmp_path / "mycourse"
     (course / "course.toml").write_text(COURSE, encoding="utf-8")
     (course / "roster.csv").write_text("student,name\nada,Ada Lovelace\n", encoding="utf-8")
     kinegrade("generate", "--course", "mycourse", **options)
-    assert "data:image/png" in (course / "released" / "ada" / "one.ipynb").read_text(encoding="utf-8")
+    assert "data:image/png" in (course / "released" / "ada" / "one.ipynb").read_text(
+        encoding="utf-8"
+    )
     assert (course / "released" / "ada" / "one.m").exists()
     (course / "submitted" / "ada").mkdir(parents=True)
-    shutil.copy(course / "solutions" / "ada" / "one.ipynb", course / "submitted" / "ada" / "one.ipynb")
+    shutil.copy(
+        course / "solutions" / "ada" / "one.ipynb", course / "submitted" / "ada" / "one.ipynb"
+    )
     marked = kinegrade("grade", "--course", "mycourse", **options)
     assert re.search(r"ada +✓+ +✓+ +(\d+) / \1\b", marked)
     for name in ("grades.csv", "feedback/ada/one.html", "report/index.html"):
@@ -65,7 +73,9 @@ def validates_with_pytest(course, options):
     (course / "exercises" / "lever.py").write_text(LEVER, encoding="utf-8")
     (course / "pytest.ini").write_text("[pytest]\nkinegrade_draws = 3\n", encoding="utf-8")
     command = [sys.executable, "-S", "-m", "pytest", "-q", "-p", "no:cacheprovider"]
-    ran = subprocess.run(command, cwd=course, env=options["env"], capture_output=True, text=True, check=False)
+    ran = subprocess.run(
+        command, cwd=course, env=options["env"], capture_output=True, text=True, check=False
+    )
     assert "1 passed" in ran.stdout, ran.stdout + ran.stderr
 
 
@@ -88,7 +98,20 @@ def install(wheel, folder):
 
     Under -S the checkout's editable installation is not looked at; its neighbours come back as plain folders.
     """
-    run([sys.executable, "-m", "pip", "install", "--quiet", "--no-deps", "--no-index", "--target", folder, wheel])
+    run(
+        [
+            sys.executable,
+            "-m",
+            "pip",
+            "install",
+            "--quiet",
+            "--no-deps",
+            "--no-index",
+            "--target",
+            folder,
+            wheel,
+        ]
+    )
     return {**os.environ, "PYTHONPATH": os.pathsep.join([str(folder), *neighbours()])}
 
 

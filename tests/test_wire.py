@@ -4,7 +4,7 @@ import json
 
 import numpy as np
 import pytest
-from kinegrade.grader.wire import read_frame
+from kinegrade.grader.collecting.wire import read_frame
 
 
 def frame(value, *, done=True):
@@ -55,7 +55,9 @@ def test_a_forged_value_blanks_that_variable(value):
     assert read_frame(frame(value), ["x"], "")["x"].kind == "error"
 
 
-@pytest.mark.parametrize("data", [b"", b"null", b"[1]", b"[" * 100_000, b"\xff", b'{"done": true}', b'{"values": 3}'])
+@pytest.mark.parametrize(
+    "data", [b"", b"null", b"[1]", b"[" * 100_000, b"\xff", b'{"done": true}', b'{"values": 3}']
+)
 def test_a_frame_that_is_none_gives_no_value(data):
     assert read_frame(data, ["x"], "")["x"].kind in ("error", "missing")
 
@@ -71,7 +73,9 @@ def calls(*values, **more):
 
 
 def test_results_of_calls_are_a_raw_value_each():
-    data = calls(numbers([1], [1.0]), {"k": "error", "v": "call 2 stopped"}, {"k": "text", "v": "q1"})
+    data = calls(
+        numbers([1], [1.0]), {"k": "error", "v": "call 2 stopped"}, {"k": "text", "v": "q1"}
+    )
     raw = read_frame(frame(data), ["x"], "", {"x": 3})["x"]
     assert [result.kind for result in raw.value] == ["num", "error", "text"]
     assert not raw.listed

@@ -8,7 +8,12 @@ from kinegrade.solutions.robots import ROBOTS
 from kinegrade.solutions.singularity import arm
 from kinegrade.solutions.workspace import LIMITS, SINGULAR, Curve, meridian, reach, section
 
-SPANNED_BY_MORE = ("planar_3r", "articulated_6r", "ur5", "panda")  # by three, three, four and five joints
+SPANNED_BY_MORE = (
+    "planar_3r",
+    "articulated_6r",
+    "ur5",
+    "panda",
+)  # by three, three, four and five joints
 SECTIONS = {name: section(robot) for name, robot in ROBOTS.items()}
 
 
@@ -27,7 +32,9 @@ def _named(name: str, start: str) -> list[Curve]:
         ("puma560", {}, (0.15005, np.hypot(0.4318 + np.hypot(0.4318, 0.0203), 0.15005))),
     ],
 )
-def test_reach_is_the_closed_form(name: str, parameters: dict[str, float], expected: tuple[float, float]) -> None:
+def test_reach_is_the_closed_form(
+    name: str, parameters: dict[str, float], expected: tuple[float, float]
+) -> None:
     assert reach(ROBOTS[name], parameters) == pytest.approx(expected, abs=1e-9)
 
 
@@ -64,7 +71,9 @@ def test_every_rim_of_the_cells_lies_on_a_boundary_curve(name: str) -> None:
     around = np.all([np.roll(reached, s, a) for s in (-1, 1) for a in (0, 1)], axis=0)
     rows, columns = np.nonzero((reached & ~around)[1:-1, 1:-1])
     size = (cut.extent[1] - cut.extent[0]) / cut.cells.shape[1]
-    rim = np.column_stack([cut.extent[0] + (columns + 0.5) * size, cut.extent[2] + (rows + 0.5) * size])
+    rim = np.column_stack(
+        [cut.extent[0] + (columns + 0.5) * size, cut.extent[2] + (rows + 0.5) * size]
+    )
     if cut.axes == ("r", "z"):
         rim = rim[rim[:, 0] > 2 * size]  # axis 1 ends the half plane, not the workspace
     walls = np.concatenate([curve.points[curve.boundary] for curve in cut.curves])
@@ -80,13 +89,18 @@ def test_boundary_curves_have_empty_cells_beside_them(name: str) -> None:
     near = np.any([np.roll(empty, (a, b), (0, 1)) for a in (-2, 0, 2) for b in (-2, 0, 2)], axis=0)
     for curve in cut.curves:
         column, row = (((curve.points - [cut.extent[0], cut.extent[2]]) / size).astype(int) + 3).T
-        assert np.count_nonzero(~near[row, column] & curve.boundary) <= 1  # where it ceases to be one
+        assert (
+            np.count_nonzero(~near[row, column] & curve.boundary) <= 1
+        )  # where it ceases to be one
 
 
 def test_every_section_has_curves_and_a_scaras_last_joint_spans_nothing() -> None:
     assert all(cut.curves for cut in SECTIONS.values())
     assert {name for name in SECTIONS if _named(name, SINGULAR)} == set(SPANNED_BY_MORE)
-    assert {curve.name for curve in SECTIONS["scara"].curves} == {ROBOTS["scara"].factors[0].name, LIMITS}
+    assert {curve.name for curve in SECTIONS["scara"].curves} == {
+        ROBOTS["scara"].factors[0].name,
+        LIMITS,
+    }
 
 
 @pytest.mark.parametrize("name", SPANNED_BY_MORE)
@@ -94,8 +108,15 @@ def test_a_section_that_more_joints_span_has_no_holes_and_ends_at_the_reach(name
     cut = SECTIONS[name]
     reached = ~np.isnan(cut.cells)
     size = (cut.extent[1] - cut.extent[0]) / cut.cells.shape[1]
-    x, y = (low + (np.arange(n) + 0.5) * size for low, n in zip(cut.extent[::2], cut.cells.shape[::-1], strict=True))
-    r = np.hypot(*np.meshgrid(x, y)) if cut.axes == ("x", "y") else np.broadcast_to(x, cut.cells.shape)
+    x, y = (
+        low + (np.arange(n) + 0.5) * size
+        for low, n in zip(cut.extent[::2], cut.cells.shape[::-1], strict=True)
+    )
+    r = (
+        np.hypot(*np.meshgrid(x, y))
+        if cut.axes == ("x", "y")
+        else np.broadcast_to(x, cut.cells.shape)
+    )
     near, far = reach(ROBOTS[name])
     assert r[reached].max() == pytest.approx(far, abs=1.5 * size)
     assert r[reached].min() == pytest.approx(near, abs=1.5 * size)
@@ -106,13 +127,17 @@ def test_a_section_that_more_joints_span_has_no_holes_and_ends_at_the_reach(name
 def test_the_disc_of_three_planar_joints_has_its_area() -> None:
     cut = SECTIONS["planar_3r"]
     size = (cut.extent[1] - cut.extent[0]) / cut.cells.shape[1]
-    assert np.count_nonzero(~np.isnan(cut.cells)) * size**2 == pytest.approx(np.pi * 2.3**2, rel=0.04)
+    assert np.count_nonzero(~np.isnan(cut.cells)) * size**2 == pytest.approx(
+        np.pi * 2.3**2, rel=0.04
+    )
 
 
 def test_the_planar_ring_lies_between_its_two_singular_circles() -> None:
     cut = SECTIONS["planar_2r"]
     assert cut.axes == ("x", "y")
-    radii = {round(float(r), 9) for curve in cut.curves for r in np.linalg.norm(curve.points, axis=1)}
+    radii = {
+        round(float(r), 9) for curve in cut.curves for r in np.linalg.norm(curve.points, axis=1)
+    }
     assert radii == {0.3, 1.7}
     assert all(curve.boundary.all() for curve in cut.curves)
 
@@ -159,7 +184,11 @@ def test_the_unit_of_length_decides_nothing(name: str, scale: float) -> None:
         (scale * low, scale * high) if kind == "P" else (low, high)
         for (low, high), kind in zip(robot.limits, robot.kinds, strict=True)
     )
-    other = replace(robot, parameters={key: scale * value for key, value in robot.parameters.items()}, limits=limits)
+    other = replace(
+        robot,
+        parameters={key: scale * value for key, value in robot.parameters.items()},
+        limits=limits,
+    )
     again = section(other)
     assert arm(other).point == arm(robot).point
     np.testing.assert_allclose(np.divide(reach(other), scale), reach(robot), rtol=0, atol=1e-9)

@@ -25,7 +25,9 @@ def build(folder):
     for name in SOURCES:
         copy = shutil.copytree if (ROOT / name).is_dir() else shutil.copy
         copy(ROOT / name, source / name)
-    run([sys.executable, "-m", "build", "--wheel", "--outdir", folder / "wheel", source], cwd=source)
+    run(
+        [sys.executable, "-m", "build", "--wheel", "--outdir", folder / "wheel", source], cwd=source
+    )
     (wheel,) = (folder / "wheel").iterdir()
     return wheel
 
@@ -44,7 +46,20 @@ def fresh_environment(wheel, folder):
     (packages,) = folder.glob("lib/python*/site-packages")
     (packages / "neighbours.pth").write_text("\n".join(neighbours()) + "\n", encoding="utf-8")
     python = folder / "bin" / "python"
-    run([sys.executable, "-m", "pip", "--python", python, "install", "--quiet", "--no-deps", "--no-index", wheel])
+    run(
+        [
+            sys.executable,
+            "-m",
+            "pip",
+            "--python",
+            python,
+            "install",
+            "--quiet",
+            "--no-deps",
+            "--no-index",
+            wheel,
+        ]
+    )
     command = python.with_name("pytest")  # as pip would have written it
     command.write_text(PYTEST.format(python=python), encoding="utf-8")
     command.chmod(0o755)
@@ -52,6 +67,8 @@ def fresh_environment(wheel, folder):
 
 
 def run(command, **options):
-    ran = subprocess.run([str(word) for word in command], capture_output=True, text=True, check=False, **options)
+    ran = subprocess.run(
+        [str(word) for word in command], capture_output=True, text=True, check=False, **options
+    )
     assert ran.returncode == 0, ran.stdout + ran.stderr
     return ran.stdout

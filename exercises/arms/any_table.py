@@ -13,7 +13,7 @@ import numpy as np
 from ...solutions.chain import from_modified, standard_transform
 from ...solutions.jacobian import jacobian as jacobian_of_chain
 from ..arm import Array
-from ..columns import ANGULAR_FIRST, SLIPS, Columns, Slip, angular_first, right
+from ..calculations.columns import ANGULAR_FIRST, SLIPS, Columns, Slip, angular_first, right
 
 TableFunction = Callable[[Any, str, Any], Array]
 
@@ -69,7 +69,10 @@ def in_degrees(dh: Any, kinds: str, q: Any) -> Array:
 
 
 MISREAD: tuple[tuple[str, TableFunction], ...] = (
-    *((slip.sentence, by_columns(slip.columns)) for slip in (*SLIPS, Slip(ANGULAR_FIRST, angular_first))),
+    *(
+        (slip.sentence, by_columns(slip.columns))
+        for slip in (*SLIPS, Slip(ANGULAR_FIRST, angular_first))
+    ),
     ("The offsets in the table are lost: q is added to them.", without_offsets),
     ("The table is read in the modified convention; it is a standard one.", modified),
     ("The angles seem to be taken as degrees; they are radians.", in_degrees),

@@ -16,7 +16,7 @@ from ...solutions.expression_array import ExpressionArray, expression_array
 from ...solutions.robot import Robot
 from ...solutions.robots import ROBOTS
 from ..arm import Arm, arm_of
-from ..columns import right
+from ..calculations.columns import right
 from ..drawing import Drawing
 from ..draws import angles, length, until
 
@@ -59,14 +59,21 @@ def robot(structure: int) -> Robot:
         *S1.rows[2:],
     )
     base = MOUNTINGS[mounting][1]
-    return Robot("arm", "Articulated arm", dict.fromkeys(LENGTHS, 1.0), rows, S1.limits, S1.source, base=base)
+    return Robot(
+        "arm", "Articulated arm", dict.fromkeys(LENGTHS, 1.0), rows, S1.limits, S1.source, base=base
+    )
 
 
 def posture(rng: np.random.Generator, structure: int) -> dict[str, Any]:
     """Lengths and q with which every one of the first four joints moves the hand."""
 
     def drawn() -> dict[str, Any]:
-        v: dict[str, Any] = {"d1": length(rng), "a1": length(rng, 0.2, 0.5), "a2": length(rng), "a3": length(rng)}
+        v: dict[str, Any] = {
+            "d1": length(rng),
+            "a1": length(rng, 0.2, 0.5),
+            "a2": length(rng),
+            "a3": length(rng),
+        }
         return v | {"a4": length(rng, 0.2, 0.6), "q": angles(rng, 6, [(1, 2), (1, 2, 3)])}
 
     def every_joint_moves_it(v: dict[str, Any]) -> bool:
@@ -154,7 +161,9 @@ def signs_forgotten(form: Any, i: int) -> list[Any]:
     cos: Any = import_module("sympy").cos
     p, q = form.T[i, 3], form.joints
     wrong = [p.has(cos(q[0])), *[p.has(cos(q[1]))] * 3, False, False] if p.has(cos) else [True] * 6
-    return [-entry if is_wrong else entry for entry, is_wrong in zip(form.J[i, :], wrong, strict=True)]
+    return [
+        -entry if is_wrong else entry for entry, is_wrong in zip(form.J[i, :], wrong, strict=True)
+    ]
 
 
 def wrist_counted(form: Any, i: int) -> list[Any]:
@@ -163,8 +172,14 @@ def wrist_counted(form: Any, i: int) -> list[Any]:
 
 
 SLIPS: tuple[tuple[str, Way], ...] = (
-    ("Look again at the angles that are sums: which links move when q2 alone changes?", own_link_only),
+    (
+        "Look again at the angles that are sums: which links move when q2 alone changes?",
+        own_link_only,
+    ),
     ("Column 2: an angle that is a sum of three joints depends on each of them.", two_links_only),
-    ("Look again at the signs: one of sine and cosine takes a minus when it is differentiated.", signs_forgotten),
+    (
+        "Look again at the signs: one of sine and cosine takes a minus when it is differentiated.",
+        signs_forgotten,
+    ),
     ("Columns 5 and 6: which joints stand in p?", wrist_counted),
 )

@@ -6,15 +6,21 @@ import numpy as np
 
 from ...solutions.robots import ROBOTS
 from ..arm import Arm, Array
+from ..calculations.last_frame import to_last
+from ..contract.printed_table import table_rows
 from ..drawing import Drawing
-from ..last_frame import to_last
-from ..printed_table import table_rows
 
 ARM = ROBOTS["articulated_6r"]
-ROBOT = replace(ARM, parameters={**ARM.parameters, "d6": 0.1}, rows=[*table_rows(ARM)[:5], ["q6", "d6", "0", "0"]])
+ROBOT = replace(
+    ARM,
+    parameters={**ARM.parameters, "d6": 0.1},
+    rows=[*table_rows(ARM)[:5], ["q6", "d6", "0", "0"]],
+)
 MODIFIED = replace(ROBOT, convention="modified")
 RIGHT_ANGLES = {"pi/2": "90", "-pi/2": "-90", "0": "0"}
-IN_DEGREES = replace(ROBOT, rows=[(theta, d, a, RIGHT_ANGLES[alpha]) for theta, d, a, alpha in table_rows(ROBOT)])
+IN_DEGREES = replace(
+    ROBOT, rows=[(theta, d, a, RIGHT_ANGLES[alpha]) for theta, d, a, alpha in table_rows(ROBOT)]
+)
 CONVENTION = "The table seems to be read in the modified convention; look again at the order of the motions of a row."
 DEGREES = "Angles in degrees seem to have gone into a sine or cosine that takes radians."
 

@@ -16,16 +16,19 @@ from ...solutions.chain import elementary
 from ...solutions.robot import Robot
 from ..answers import Variant
 from ..arm import Arm, Array, arm_of
-from ..columns import columns
+from ..calculations.columns import columns
+from ..contract.printed_table import cell_latex
 from ..drawing import Drawing
 from ..draws import CLEARANCE, angles, length, until
 from ..exercise import Outcome
-from ..printed_table import cell_latex
 
 NAMES = ("l1", "l2", "beta", "q1", "q2")
 DRAWN = 9
 BENT = 0.3  # smallest |sin| of q2 and of the angle between the links
-FORMS = tuple((*senses, quarter) for senses, quarter in product(((1, -1), (-1, 1), (-1, -1), (1, 1)), (0, 1, -1)))
+FORMS = tuple(
+    (*senses, quarter)
+    for senses, quarter in product(((1, -1), (-1, 1), (-1, -1), (1, 1)), (0, 1, -1))
+)
 SIGN = {1: "+", -1: "-"}
 UP = np.array([0.0, 0.0, 1.0])
 NEAR = 2e-3  # how far rounded numbers may be from a known mistake that is followed or paid less
@@ -57,7 +60,10 @@ def robot(form: int) -> Robot:
     """The arm, with z of each joint in its positive sense."""
     one, two, quarter = FORMS[form]
     flip1, flip2 = (("Rx", "0" if sense > 0 else "pi") for sense in (one, two))
-    rows = ((flip1, ("Rz", "q1")), (flip1, ("Tx", "l1"), ("Rz", f"{quarter}*pi/2"), flip2, ("Rz", "q2")))
+    rows = (
+        (flip1, ("Rz", "q1")),
+        (flip1, ("Tx", "l1"), ("Rz", f"{quarter}*pi/2"), flip2, ("Rz", "q2")),
+    )
     lengths, limits = {"l1": 1.0, "l2": 0.7, "beta": 0.0}, ((-np.pi, np.pi),) * 2
     base, tool = (("Rz", "beta"),), (flip2, ("Tx", "l2"))
     return Robot("planar_2r", "Planar arm", lengths, rows, limits, "S2", "frames", base, tool)
@@ -148,11 +154,19 @@ FROM_1 = "The second transform seems to start at frame 1; both shall start at fr
 ORDER = "The two transforms seem to be multiplied in the wrong order."
 FROM_BASE = "The lever arm of column 2 seems to start at the base; it starts at joint 2."
 TO_JOINT_2 = "The lever arm of column 1 seems to end at joint 2; it ends at the tool point."
-OMEGA_SENSE = "Both angular columns seem to turn counter-clockwise; look again at the positive senses."
-MOUNTING = "The angle beta of the mounting does not seem to be in it; where does link 1 point at q1 = 0?"
+OMEGA_SENSE = (
+    "Both angular columns seem to turn counter-clockwise; look again at the positive senses."
+)
+MOUNTING = (
+    "The angle beta of the mounting does not seem to be in it; where does link 1 point at q1 = 0?"
+)
 SENSE = "Each joint's angle seems to count counter-clockwise; look again at the positive senses."
-SENSE_1 = "The angle of joint 1 seems to be counted the other way; look again at its positive sense."
-SENSE_2 = "The angle of joint 2 seems to be counted the other way; look again at its positive sense."
+SENSE_1 = (
+    "The angle of joint 1 seems to be counted the other way; look again at its positive sense."
+)
+SENSE_2 = (
+    "The angle of joint 2 seems to be counted the other way; look again at its positive sense."
+)
 AT_ZERO = "Look again at how link 2 stands to link 1 where q2 = 0."
 PRINTED = (
     "This looks like an arm whose joints both count counter-clockwise and whose links are in line at q2 = 0; "
@@ -170,7 +184,10 @@ READINGS: tuple[tuple[str, Callable[[int, int, int], tuple[int, int, int]]], ...
 
 def misread(solve: Callable[[Variant], Any]) -> list[tuple[str, Callable[[Variant], Any]]]:
     """The readings as mistakes of a part that `solve` answers for an arm of any form."""
-    return [(sentence, lambda v, *, i=i: solve(misreadings(v)[i])) for i, (sentence, _) in enumerate(READINGS)]
+    return [
+        (sentence, lambda v, *, i=i: solve(misreadings(v)[i]))
+        for i, (sentence, _) in enumerate(READINGS)
+    ]
 
 
 def misreadings(v: Variant) -> list[Variant]:
@@ -187,7 +204,10 @@ def less_omega(right: Array) -> Outcome:
 def same_reading(value: Array, v: Variant, T: Array, J: Array) -> Outcome:
     """A misread arm is followed from its transforms on, and linear rows under wrong angular ones are paid."""
     for other in misreadings(v):
-        if np.abs(T - transforms(other)).max() <= NEAR and np.abs(value - jacobian(other)).max() <= NEAR:
+        if (
+            np.abs(T - transforms(other)).max() <= NEAR
+            and np.abs(value - jacobian(other)).max() <= NEAR
+        ):
             return Outcome(right=np.ones((6, 2), dtype=bool))
     right = np.abs(value - J) <= NEAR
     return less_omega(right[[0, 1, 5]]) if right[2:5].all() else Outcome()
@@ -218,8 +238,13 @@ def drawn(arm: Arm) -> list[Drawing]:
     home = arm.at([0.0, 0.0])
     foot, knee = home.origins.T
     lines = {"l1": (foot, knee), "l2": (knee, home.p)}
-    said = "Home pose, q1 = q2 = 0, mounted at the angle beta, with the positive sense of each joint."
+    said = (
+        "Home pose, q1 = q2 = 0, mounted at the angle beta, with the positive sense of each joint."
+    )
     alt = "Planar arm with two links and two revolute joints, seen from obliquely above. "
     postures = [(home, said, lines), (arm, "The same arm at your q.", None)]
-    found = [one.drawing(caption, alt + caption, tool="", lengths=ends) for one, caption, ends in postures]
+    found = [
+        one.drawing(caption, alt + caption, tool="", lengths=ends)
+        for one, caption, ends in postures
+    ]
     return [replace(drawing, view=(-75.0, 52.0)) for drawing in found]

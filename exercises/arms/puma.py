@@ -5,9 +5,9 @@ import numpy as np
 from ...solutions.robots import ROBOTS
 from ...solutions.singularity import sigma_min
 from ..arm import Arm, arm_of
+from ..contract.printed_table import printed_table, table_rows
 from ..drawing import Drawing
 from ..draws import angles, until
-from ..printed_table import printed_table, table_rows
 
 PUMA = ROBOTS["puma560"]
 REACH = PUMA.parameters["a2"] + PUMA.parameters["d4"]  # [m]
@@ -40,7 +40,9 @@ FAMILIES = {
 
 def posture(rng: np.random.Generator, family: str, speed: float) -> list[float]:
     """A posture of a family; near the wrist's singular one, a speed [m/s] along base x takes large rates."""
-    return until(lambda: _drawn(rng, family), lambda q: _belongs(arm_of(PUMA, {"q": q}), family, speed))
+    return until(
+        lambda: _drawn(rng, family), lambda q: _belongs(arm_of(PUMA, {"q": q}), family, speed)
+    )
 
 
 def _drawn(rng: np.random.Generator, family: str) -> list[float]:

@@ -9,9 +9,9 @@ from numpy.typing import ArrayLike
 
 from ...solutions.robot import Robot
 from ..arm import Arm, Array, units_of
+from ..contract.printed_table import printed_table, table_rows
 from ..drawing import Drawing
 from ..draws import angles, length
-from ..printed_table import printed_table, table_rows
 
 SENSES = tuple(product(("", "-"), repeat=4))  # of alpha1, alpha2, theta3, alpha3
 LENGTHS = ("d1", "a2", "a4")

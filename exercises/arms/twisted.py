@@ -32,7 +32,9 @@ def robot(form: int, *, convention: Any = "standard") -> Robot:
     )
     limits = ((-np.pi, np.pi), (-np.pi, np.pi), (0.3, 0.9), (-np.pi, np.pi))
     sizes = dict.fromkeys(lengths, 1.0)
-    return Robot("find_the_mistake", "RRPR arm", sizes, rows, limits, "made for this exercise", convention)
+    return Robot(
+        "find_the_mistake", "RRPR arm", sizes, rows, limits, "made for this exercise", convention
+    )
 
 
 def modified(arm: Arm, form: int) -> Array:

@@ -24,9 +24,9 @@ from ..arms.articulated import (
     posture,
     robot,
 )
+from ..contract.question import Question
 from ..part import exercise, part
 from ..properties import without_zeros
-from ..question import Question
 
 
 def draw(rng: np.random.Generator) -> dict[str, Any]:
@@ -47,9 +47,7 @@ For the last question: {POINTS[point].format(far=far, near=near)}."""
 
 
 ON_SLIDES = "This is the row of the arm on the slides, which stands otherwise; start from p as your sheet prints it."
-WRITTEN = (
-    "with a * in every product and angles in radians, such as `a2*C2 + a3*C23`; C23 and S234 are read as on the sheet"
-)
+WRITTEN = "with a * in every product and angles in radians, such as `a2*C2 + a3*C23`; C23 and S234 are read as on the sheet"
 
 
 def row(i: int) -> Question:
@@ -82,16 +80,23 @@ def row(i: int) -> Question:
             "row": lambda arm: arm.closed.J[i, :].applyfunc(factored),
         },
         mistakes=(
-            *((said, lambda arm, *, way=way: derivatives(arm.robot, i, way)) for said, way in SLIPS),
+            *(
+                (said, lambda arm, *, way=way: derivatives(arm.robot, i, way))
+                for said, way in SLIPS
+            ),
             (ON_SLIDES, lambda: derivatives(S1, i)),
         ),
     )(solve).called(x)
 
 
-SUMS = "Which angle does the index 234 stand for? Look again at the letters that the sheet explains."
+SUMS = (
+    "Which angle does the index 234 stand for? Look again at the letters that the sheet explains."
+)
 
 
-def with_single_angles(arm: Arm, x: ExpressionArray, y: ExpressionArray, z: ExpressionArray) -> Array:
+def with_single_angles(
+    arm: Arm, x: ExpressionArray, y: ExpressionArray, z: ExpressionArray
+) -> Array:
     """q3 taken for q2 + q3, and q4 for q2 + q3 + q4."""
     q1, q2, q3, q4, q5, q6 = arm.q
     return J(arm.at([q1, q2, q3 - q2, q4 - q3, q5, q6]), x, y, z)

@@ -9,16 +9,33 @@ import numpy as np
 
 from ...solutions.axes import along, assembled
 from ..arm import Array
-from ..columns import REVERSED, columns
+from ..calculations.columns import REVERSED, columns
+from ..contract.introduction import WORDS
+from ..contract.names import Function
 from ..drawing import Drawing, Triad
 from ..draws import until
 from ..exercise import Numbers, Variant
-from ..introduction import WORDS
-from ..names import Function
 from ..part import exercise, part
 
-WHOLE = ((1, 2, 2), (2, 3, 6), (1, 4, 8), (4, 4, 7), (2, 6, 9), (6, 6, 7))  # of lengths 3, 7, 9, 9, 11, 11
-VECTORS = {"omega": "rad/s", "r": "m", "w1": "1", "w2": "1", "w3": "1", "p1": "m", "p2": "m", "p3": "m", "p": "m"}
+WHOLE = (
+    (1, 2, 2),
+    (2, 3, 6),
+    (1, 4, 8),
+    (4, 4, 7),
+    (2, 6, 9),
+    (6, 6, 7),
+)  # of lengths 3, 7, 9, 9, 11, 11
+VECTORS = {
+    "omega": "rad/s",
+    "r": "m",
+    "w1": "1",
+    "w2": "1",
+    "w3": "1",
+    "p1": "m",
+    "p2": "m",
+    "p3": "m",
+    "p": "m",
+}
 TELLING = 0.05  # smallest size of a component that is asked, and smallest change by a known mistake
 
 
@@ -27,7 +44,11 @@ def draw(rng: np.random.Generator) -> dict[str, Any]:
     kinds = ("RRP", "RPR", "PRR")[int(rng.integers(3))]
 
     def drawn() -> dict[str, Any]:
-        v: dict[str, Any] = {"kinds": kinds, "omega": numbers(rng, 3, 15, 10), "r": numbers(rng, 15, 90, 100)}
+        v: dict[str, Any] = {
+            "kinds": kinds,
+            "omega": numbers(rng, 3, 15, 10),
+            "r": numbers(rng, 15, 90, 100),
+        }
         v |= {name: direction(rng) for name in ("w1", "w2", "w3")}
         octant = [*rng.choice([-1, 1], 2), 1]
         outward = np.cumsum([rng.integers(10, 45, 3) for _ in range(4)], axis=0) * octant / 100
@@ -92,7 +113,10 @@ def slides(v: Variant) -> int:
 
 
 MINUS = "The second component of the cross product has the wrong sign; look again at its rule."
-WRONG_VELOCITY = ((MINUS, lambda velocity: velocity * [1, -1, 1]), (REVERSED, lambda velocity: -velocity))
+WRONG_VELOCITY = (
+    (MINUS, lambda velocity: velocity * [1, -1, 1]),
+    (REVERSED, lambda velocity: -velocity),
+)
 
 
 @part(1, Numbers((3,), "m/s", 3), credit="all", mistakes=WRONG_VELOCITY)
@@ -109,10 +133,14 @@ def velocity(omega: Array, r: Array) -> Array:
 
 
 NOT_DIVIDED = "The directions seem to be used as printed; divide each by its length first."
-OWN_LINK = "The lever arm seems to be the joint's own link; it goes from the joint to the tool point."
+OWN_LINK = (
+    "The lever arm seems to be the joint's own link; it goes from the joint to the tool point."
+)
 ONE_EARLY = "The lever arm seems to start at the point before; it starts at the joint itself."
 ORIGIN = "The lever arm seems to start or to end at the base origin; it goes from the joint to the tool point."
-SLIDING = "One of these columns is that of the joint that slides; the two revolute joints are asked."
+SLIDING = (
+    "One of these columns is that of the joint that slides; the two revolute joints are asked."
+)
 LEVERS = (
     (OWN_LINK, lambda v: np.diff(path(v), axis=0)[1:]),
     (OWN_LINK, lambda v: np.diff(path(v), axis=0)[:3]),
@@ -121,7 +149,10 @@ LEVERS = (
     (ORIGIN, lambda v: path(v)[4]),
 )
 WRONG_LINEAR = (
-    *((said, lambda v, *, lever=lever: whole(v, lever=lever)[:3, revolute(v)]) for said, lever in LEVERS),
+    *(
+        (said, lambda v, *, lever=lever: whole(v, lever=lever)[:3, revolute(v)])
+        for said, lever in LEVERS
+    ),
     (MINUS, lambda v: whole(v)[:3, revolute(v)] * [[1], [-1], [1]]),
     (NOT_DIVIDED, lambda v: whole(v, z=directions)[:3, revolute(v)]),
     (SLIDING, lambda v: np.delete(whole(v, "RRR")[:3], revolute(v)[1], axis=1)),
@@ -167,7 +198,13 @@ WRONG_SLIDE = (
 )
 
 
-@part(2, Numbers((6,), "1", 3), credit="all", shows={"joint": lambda v: slides(v) + 1}, mistakes=WRONG_SLIDE)
+@part(
+    2,
+    Numbers((6,), "1", 3),
+    credit="all",
+    shows={"joint": lambda v: slides(v) + 1},
+    mistakes=WRONG_SLIDE,
+)
 def slide(v: Variant) -> Array:
     r"""The whole column (three linear entries, then three angular ones) of the prismatic joint
 
@@ -192,7 +229,10 @@ def stacked(v: Variant, linear: Array, slide: Array) -> Array:
     credit="column",
     mistakes=(
         *(
-            (f"The prismatic column: {said}", lambda v, linear, *, wrong=wrong: stacked(v, linear, wrong(v)))
+            (
+                f"The prismatic column: {said}",
+                lambda v, linear, *, wrong=wrong: stacked(v, linear, wrong(v)),
+            )
             for said, wrong in WRONG_SLIDE
         ),
         (NOT_DIVIDED, lambda v: whole(v, z=directions)),

@@ -9,9 +9,9 @@ from ...solutions.robots import ROBOTS
 from ...solutions.singularity import sigma_min
 from ..answers import Numbers
 from ..arm import Arm, Array, arm_of
-from ..displacements import AXES, FIRST_ORDER, TRANSPOSED, frame_near, sizes, step
+from ..calculations.displacements import AXES, FIRST_ORDER, TRANSPOSED, frame_near, sizes, step
+from ..contract.introduction import introduction
 from ..draws import angles, until
-from ..introduction import introduction
 from ..part import exercise, part
 
 ROBOT = ROBOTS["ur5"]
@@ -26,9 +26,15 @@ not quite arrive; a second step goes on from there. Compute with all digits and 
 
 def draw(rng: np.random.Generator) -> dict[str, Any]:
     """A regular posture, and a frame that the first step misses clearly and the second by far less."""
-    v = until(lambda: {"q": angles(rng, 6, [(1, 2), (1, 2, 3)])}, lambda v: bool(sigma_min(arm_of(ROBOT, v).J) >= 0.1))
+    v = until(
+        lambda: {"q": angles(rng, 6, [(1, 2), (1, 2, 3)])},
+        lambda v: bool(sigma_min(arm_of(ROBOT, v).J) >= 0.1),
+    )
     arm = arm_of(ROBOT, v)
-    return {**v, "goal": until(lambda: frame_near(rng, arm.T), lambda T: is_telling(arm, np.array(T)))}
+    return {
+        **v,
+        "goal": until(lambda: frame_near(rng, arm.T), lambda T: is_telling(arm, np.array(T))),
+    }
 
 
 def is_telling(arm: Arm, goal: Array) -> bool:
@@ -45,7 +51,10 @@ def is_telling(arm: Arm, goal: Array) -> bool:
     3,
     Numbers((6,), ["m"] * 3 + ["rad"] * 3, 6),
     shows={"T": lambda arm: arm.T, "turn": lambda arm, goal: goal[:3, :3] @ arm.R.T},
-    mistakes=[(s.sentence, lambda arm, goal, *, way=s.way: way(arm.T, goal)) for s in (*AXES, *FIRST_ORDER)],
+    mistakes=[
+        (s.sentence, lambda arm, goal, *, way=s.way: way(arm.T, goal))
+        for s in (*AXES, *FIRST_ORDER)
+    ],
 )
 def du(arm: Arm, goal: Array) -> Array:
     r"""$d\mathbf u = (d\mathbf p, d\mathbf w)$ from the tool frame at your $\mathbf q$ to $\mathbf T_{desired}$
@@ -92,9 +101,18 @@ def dq(arm: Arm, du: Array) -> Array:
     Numbers((6,), ["m"] * 3 + ["rad"] * 3, 6),
     shows={"T": lambda arm, dq: arm.at(arm.q + dq).T},
     mistakes=(
-        ("J dq - du is zero because dq solves it; look where the tool really is at q + dq.", lambda: np.zeros(6)),
-        ("The step is taken backwards, to q - dq.", lambda arm, dq, goal: displacement(arm.at(arm.q - dq).T, goal)),
-        *((s.sentence, lambda arm, dq, goal, *, way=s.way: way(arm.at(arm.q + dq).T, goal)) for s in AXES),
+        (
+            "J dq - du is zero because dq solves it; look where the tool really is at q + dq.",
+            lambda: np.zeros(6),
+        ),
+        (
+            "The step is taken backwards, to q - dq.",
+            lambda arm, dq, goal: displacement(arm.at(arm.q - dq).T, goal),
+        ),
+        *(
+            (s.sentence, lambda arm, dq, goal, *, way=s.way: way(arm.at(arm.q + dq).T, goal))
+            for s in AXES
+        ),
     ),
 )
 def rest(arm: Arm, dq: Array, goal: Array) -> Array:
@@ -114,7 +132,10 @@ def rest(arm: Arm, dq: Array, goal: Array) -> Array:
     2,
     Numbers((6,), "rad", 6),
     mistakes=(
-        ("This takes the Jacobian at q; where does the arm stand now?", lambda rest, arm: step(arm, rest)),
+        (
+            "This takes the Jacobian at q; where does the arm stand now?",
+            lambda rest, arm: step(arm, rest),
+        ),
         (TRANSPOSED, lambda arm, dq, rest: arm.at(arm.q + dq).J.T @ rest),
         ("This is both steps together; the second alone is asked.", lambda dq, second: dq + second),
     ),
@@ -136,7 +157,10 @@ def second(arm: Arm, dq: Array, rest: Array) -> Array:
     shows={"times": lambda rest, left: "{:.0f} and {:.0f} times".format(*(sizes(rest) / left))},
     mistakes=(
         ("The first step alone leaves this.", lambda arm, dq, goal: sizes(rest(arm, dq, goal))),
-        ("The second step goes on from q + dq.", lambda arm, second, goal: sizes(rest(arm, second, goal))),
+        (
+            "The second step goes on from q + dq.",
+            lambda arm, second, goal: sizes(rest(arm, second, goal)),
+        ),
     ),
 )
 def left(arm: Arm, dq: Array, second: Array, goal: Array) -> Array:
@@ -157,7 +181,9 @@ EXERCISE = exercise(
     title="Two steps to a desired tool frame",
     source="S0 4.3, eq. 4.13",
     minutes=50,
-    objectives=("Find the way to a desired tool frame, the joint displacement for it, and what first order misses.",),
+    objectives=(
+        "Find the way to a desired tool frame, the joint displacement for it, and what first order misses.",
+    ),
     robot=ROBOT,
     scale=1.0,
     units={"goal": [["1", "1", "1", "m"]] * 3 + [["1"] * 4]},

@@ -16,10 +16,10 @@ from ...solutions.robot import Robot
 from ...solutions.table import COLUMNS
 from ..answers import Formulas, Numbers, Variant
 from ..arm import Array
+from ..contract.introduction import joint_types
 from ..drawing import Drawing, Triad
 from ..draws import angles, length, until
 from ..exercise import Outcome
-from ..introduction import joint_types
 from ..part import exercise, part
 
 ORDERS = ("theta alpha a d", "alpha a d theta", "a alpha d theta", "theta d a alpha")
@@ -66,17 +66,23 @@ def is_telling(v: Variant) -> bool:
     plain = (sizes < 1e-9) | (sizes > 1 - 1e-9) | ((sizes > PLAIN) & (sizes < 1 - PLAIN / 4))
     wrong = (modified_transform(numbers(v)), standard_transform(numbers(v, LEFT_OUT)))
     followed = np.array([frames(own) for own in wrong])
-    full = (np.abs(followed) < 1e-3)[:, ~np.isclose(np.abs(poses) * (1 - np.abs(poses)), 0)].mean(axis=1) < MOST_ZEROS
+    full = (np.abs(followed) < 1e-3)[:, ~np.isclose(np.abs(poses) * (1 - np.abs(poses)), 0)].mean(
+        axis=1
+    ) < MOST_ZEROS
     return bool(plain.all() and full.all()) and abs(abs(v["a1"]) - abs(v["d1"])) > 0.05
 
 
-def rows(v: Variant, theta: Texts = RADIANS, alpha: Texts = RADIANS) -> list[tuple[str, str, str, str]]:
+def rows(
+    v: Variant, theta: Texts = RADIANS, alpha: Texts = RADIANS
+) -> list[tuple[str, str, str, str]]:
     """Formulas of theta, d, a, alpha in every row, with these texts for the constant angles."""
     table: list[tuple[str, str, str, str]] = []
     for i, joint in enumerate(joints(v), 1):
         offset, twist = theta[v["offset"][i - 1]], alpha[v["alpha"][i - 1]]
         a, d = (name if name in v else "0" for name in (f"a{i}", f"d{i}"))
-        table.append((f"{joint} + {offset}", d, a, twist) if joint[0] == "q" else (offset, joint, a, twist))
+        table.append(
+            (f"{joint} + {offset}", d, a, twist) if joint[0] == "q" else (offset, joint, a, twist)
+        )
     return table
 
 
@@ -145,8 +151,14 @@ POSE = [["1", "1", "1", "m"]] * 3 + [["1"] * 4]
     mistakes=(
         (MODIFIED, lambda v: closed(*rows(v)[0], "modified")),
         (EXCHANGED, lambda v: closed(*np.array(rows(v)[0])[[0, 2, 1, 3]].tolist())),
-        ("The turn by alpha seems to go the other way.", lambda v: closed(*rows(v)[0][:3], f"-({rows(v)[0][3]})")),
-        *((said, lambda v, *, texts=texts: closed(*rows(v, *texts)[0])) for said, texts in ANGLES.items()),
+        (
+            "The turn by alpha seems to go the other way.",
+            lambda v: closed(*rows(v)[0][:3], f"-({rows(v)[0][3]})"),
+        ),
+        *(
+            (said, lambda v, *, texts=texts: closed(*rows(v, *texts)[0]))
+            for said, texts in ANGLES.items()
+        ),
     ),
 )
 def first(v: Variant) -> ExpressionArray:
@@ -170,7 +182,10 @@ def first(v: Variant) -> ExpressionArray:
     mistakes=(
         (MODIFIED, lambda v: modified_transform(numbers(v))),
         (EXCHANGED, lambda v: standard_transform(numbers(v)[:, [0, 2, 1, 3]])),
-        *((said, lambda v, *, texts=texts: standard_transform(numbers(v, *texts))) for said, texts in ANGLES.items()),
+        *(
+            (said, lambda v, *, texts=texts: standard_transform(numbers(v, *texts)))
+            for said, texts in ANGLES.items()
+        ),
     ),
 )
 def links(v: Variant) -> Array:
@@ -195,7 +210,9 @@ def literal_chain(links: Array) -> Array:
     4,
     Numbers((2, 4, 4), [POSE]),
     # The literal chain meets some columns by chance.
-    check=lambda value, links: Outcome(share=0.0 if np.abs(value - literal_chain(links)).max() <= 2e-3 else None),
+    check=lambda value, links: Outcome(
+        share=0.0 if np.abs(value - literal_chain(links)).max() <= 2e-3 else None
+    ),
     mistakes=(
         (
             "The factors seem to be poses in frame 0, so that link 1 comes twice; each factor shall start where the one before it ends.",
@@ -244,7 +261,9 @@ EXERCISE = exercise(
         "Turn each row of a Denavit–Hartenberg table into a transform.",
         "Chain the transforms of the links to the poses of all frames.",
     ),
-    units={f"q{i}": "rad" for i in (1, 2, 3)} | {f"s{i}": "m" for i in (2, 3)} | dict.fromkeys(LENGTHS, "m"),
+    units={f"q{i}": "rad" for i in (1, 2, 3)}
+    | {f"s{i}": "m" for i in (2, 3)}
+    | dict.fromkeys(LENGTHS, "m"),
     structure=("kinds", "order", "alpha", "offset"),
     scale=lambda v: float(np.abs(numbers(v)[:, 1:3]).sum()),
     draw=draw,

@@ -9,15 +9,15 @@ from typing import Any
 
 import numpy as np
 
-from .. import columns
 from ..answers import LETTERS, Choice, Numbers
 from ..arm import Arm, Array, arm_of
 from ..arms.twisted import FORMS, KINDS, LENGTHS, MODIFIED, UNITS, drawn, modified, robot
-from ..columns import Slip
+from ..calculations import columns
+from ..calculations.columns import Slip
+from ..contract.printed_table import printed_table, table_rows
 from ..draws import angles, length, until
 from ..exercise import Outcome
 from ..part import exercise, part
-from ..printed_table import printed_table, table_rows
 
 DIFFERENT = 0.05  # between the matrices of two mistakes, in some entry
 ROUNDING = 3e-3  # frames at three decimals, multiplied along the arm
@@ -49,7 +49,11 @@ def draw(rng: np.random.Generator) -> dict[str, Any]:
 
     def arm() -> dict[str, Any]:
         lengths = {name: length(rng, 0.2, 0.6) for name in robot(form).parameters}
-        return {**lengths, "q": [*angles(rng, 2), length(rng, 0.3, 0.9), *angles(rng, 1)], "form": form}
+        return {
+            **lengths,
+            "q": [*angles(rng, 2), length(rng, 0.3, 0.9), *angles(rng, 1)],
+            "form": form,
+        }
 
     v = until(arm, lambda v: all_differ(arm_of(robot(form), v), form))
     W = SLIPS[slip].columns(arm_of(robot(form), v).frames, KINDS)
@@ -104,7 +108,9 @@ def judged_repair(arm: Arm, J: Array, W: Array, value: Array) -> Outcome:
     spoiled = (np.abs(W - J) > ROUNDING).any(axis=0)
     repaired = (whole & spoiled).sum() / spoiled.sum()
     broken = (~whole & ~spoiled).mean()
-    return Outcome(is_right, reading=reading(arm, W, value), share=max(0.0, float(repaired - broken)))
+    return Outcome(
+        is_right, reading=reading(arm, W, value), share=max(0.0, float(repaired - broken))
+    )
 
 
 def reading(arm: Arm, W: Array, value: Array) -> str:
@@ -157,7 +163,10 @@ EXERCISE = exercise(
     title="Find the mistake in a Jacobian",
     source="S3 5.1, S4",
     minutes=35,
-    objectives=("Check a Jacobian column by column.", "Tell the usual mistakes in a Jacobian from each other."),
+    objectives=(
+        "Check a Jacobian column by column.",
+        "Tell the usual mistakes in a Jacobian from each other.",
+    ),
     robot=robot,
     units={**dict.fromkeys(LENGTHS, "m"), "q": ["rad", "rad", "m", "rad"], "W": UNITS},
     symbols={"W": r"\mathbf W"},

@@ -12,20 +12,49 @@ import numpy as np
 from .. import questions as ask
 from ..answers import LETTERS
 from ..arm import Arm, Array, arm_of
-from ..arms.rrpr import DEGREES, LENGTHS, LEVEL, SENSES, UNITS, described, drawn, in_degrees, level, posture, robot
-from ..columns import tool_axes
-from ..conversions import ANGULAR, COUPLING, ONLY_TURNED, ORDER, OTHER_WAY, SHIFT_SIGN, THIS_ARM, WRONG_WAY, shift, turn
+from ..arms.rrpr import (
+    DEGREES,
+    LENGTHS,
+    LEVEL,
+    SENSES,
+    UNITS,
+    described,
+    drawn,
+    in_degrees,
+    level,
+    posture,
+    robot,
+)
+from ..calculations.columns import tool_axes
+from ..calculations.conversions import (
+    ANGULAR,
+    COUPLING,
+    ONLY_TURNED,
+    ORDER,
+    OTHER_WAY,
+    SHIFT_SIGN,
+    THIS_ARM,
+    WRONG_WAY,
+    shift,
+    turn,
+)
 from ..draws import length, rates, until
 from ..exercise import Choice, Numbers, Variant
 from ..part import exercise, part
 
 APART = 0.05  # between the largest components of the twists that are to be told apart
-FRAMES = tuple(f"in {axes} axes at the {point}" for point in ("tool point", "base origin") for axes in ("base", "tool"))
+FRAMES = tuple(
+    f"in {axes} axes at the {point}"
+    for point in ("tool point", "base origin")
+    for axes in ("base", "tool")
+)
 
 
 def draw(rng: np.random.Generator) -> dict[str, Any]:
     """An arm of one of 16 forms, a posture, rates, and the twist that comes of them in one of four frames."""
-    sizes: dict[str, Any] = {"form": int(rng.integers(len(SENSES)))} | {name: length(rng) for name in LENGTHS}
+    sizes: dict[str, Any] = {"form": int(rng.integers(len(SENSES)))} | {
+        name: length(rng) for name in LENGTHS
+    }
     v = until(lambda: sizes | {"q": posture(rng), "qdot": rates(rng, 4)}, is_telling)
     xi = all_twists(v)[:, int(rng.integers(len(FRAMES)))]
     return v | {"xi": (np.round(xi, 3) + 0.0).tolist()}
@@ -82,7 +111,9 @@ def X(T: Array) -> Array:
     return shift(T) @ turn(T)
 
 
-@part(1, Choice(FRAMES), shows={"frame": lambda which: FRAMES[LETTERS.index(which)], "twists": twists})
+@part(
+    1, Choice(FRAMES), shows={"frame": lambda which: FRAMES[LETTERS.index(which)], "twists": twists}
+)
 def which(T: Array, J: Array, tool: Array, origin: Array, qdot: Array, xi: Array) -> str:
     r"""In which frame is the printed twist $\boldsymbol\xi$ of the tool body?
 
@@ -144,7 +175,9 @@ EXERCISE = exercise(
             ],
         ),
         ask.to_tool_axes(
-            name="tool", decimals=4, mistakes=[(LEVEL, lambda form, arm: tool_axes(level(form, arm).frames, arm.kinds))]
+            name="tool",
+            decimals=4,
+            mistakes=[(LEVEL, lambda form, arm: tool_axes(level(form, arm).frames, arm.kinds))],
         ),
         ask.to_base_origin(name="origin", decimals=4),
         X,

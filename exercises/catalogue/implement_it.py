@@ -58,7 +58,10 @@ def hidden(v: Variant) -> Calls:
 
 def published(v: Variant) -> Calls:
     """The calls whose results may be handed in instead."""
-    return {f"robot {i}": [(v[f"dh_{i}"], kinds, v[f"joints_{i}"])] for i, kinds in enumerate(PUBLISHED, 1)}
+    return {
+        f"robot {i}": [(v[f"dh_{i}"], kinds, v[f"joints_{i}"])]
+        for i, kinds in enumerate(PUBLISHED, 1)
+    }
 
 
 # It is printed as the worked solution, where nothing but np is known: its annotations stay text.
@@ -68,7 +71,14 @@ def reference(dh: "Array", kinds: str, q: "Array") -> "Array":
     for (theta, d, a, alpha), kind, x in zip(dh, kinds, q, strict=True):
         angle, shift = (theta + x, d) if kind == "R" else (theta, d + x)
         c, s, ca, sa = np.cos(angle), np.sin(angle), np.cos(alpha), np.sin(alpha)
-        A = np.array([[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, shift], [0, 0, 0, 1]])
+        A = np.array(
+            [
+                [c, -s * ca, s * sa, a * c],
+                [s, c * ca, -c * sa, a * s],
+                [0, sa, ca, shift],
+                [0, 0, 0, 1],
+            ]
+        )
         T.append(T[-1] @ A)
     J = np.zeros((6, len(kinds)))
     for i, kind in enumerate(kinds):
@@ -112,7 +122,10 @@ def jacobian() -> TableFunction:
     2,
     Manual(
         (
-            (1, "the steps by hand, what they take and give, and why they are done anew for every arm"),
+            (
+                1,
+                "the steps by hand, what they take and give, and why they are done anew for every arm",
+            ),
             (1, "the automated steps in their order, each with what it takes and gives"),
         )
     ),
@@ -145,7 +158,10 @@ EXERCISE = exercise(
     draw=draw,
     statement=STATEMENT,
     units={
-        **{f"dh_{i}": [["rad", "m", "m", "rad"]] * len(kinds) for i, kinds in enumerate(PUBLISHED, 1)},
+        **{
+            f"dh_{i}": [["rad", "m", "m", "rad"]] * len(kinds)
+            for i, kinds in enumerate(PUBLISHED, 1)
+        },
         **{f"joints_{i}": [UNIT[kind] for kind in kinds] for i, kinds in enumerate(PUBLISHED, 1)},
     },
     hidden=tuple(GROUPS),

@@ -14,10 +14,18 @@ from ...solutions.singularity import rank, singular_values
 from ..answers import LETTERS, Choice, Configurations, Numbers
 from ..arm import Arm, Array, arm_of
 from ..arms.puma import PUMA, REACH, TABLE, drawn
-from ..columns import TOOL_AXES, tool_axes
+from ..calculations.columns import TOOL_AXES, tool_axes
+from ..calculations.lost import (
+    ANGLE,
+    ZERO,
+    judged_lost,
+    left_over,
+    lost_direction,
+    still_rates,
+    weakest,
+)
 from ..draws import angles, length, rates, until
 from ..exercise import Outcome
-from ..lost import ANGLE, ZERO, judged_lost, left_over, lost_direction, still_rates, weakest
 from ..part import exercise, part
 from ..properties import list_share, listed, parallel
 
@@ -72,11 +80,16 @@ def posture(rng: np.random.Generator, way: int) -> list[float]:
 
 def is_telling(arm: Arm) -> bool:
     """Whether one factor is zero and no other is small, nor another singular value, and the lost direction not plain."""
-    shares = [singular_values(block) / singular_values(block)[0] for block in (arm.J, *blocks(arm.J))]
+    shares = [
+        singular_values(block) / singular_values(block)[0] for block in (arm.J, *blocks(arm.J))
+    ]
     smallest = sorted(share[-1] for share in shares)
     others = min(smallest[2], *(share[-2] for share in shares))
     block = weakest(blocks(arm.J))
-    u, plain = lost_direction(block), [*np.eye(3), np.ones(3), np.array([1, 1, 0]), still_rates(block)]
+    u, plain = (
+        lost_direction(block),
+        [*np.eye(3), np.ones(3), np.array([1, 1, 0]), still_rates(block)],
+    )
     is_plain = any(parallel(direction, u, 0.1) for direction in plain)
     second = np.sort(np.abs(arm.factors))[1]
     return bool(smallest[1] < 1e-5 and others >= REGULAR and second >= CLEAR and not is_plain)
@@ -85,7 +98,9 @@ def is_telling(arm: Arm) -> bool:
 def drawn_twist(rng: np.random.Generator, J: Array) -> list[float]:
     """A twist within reach or, as often, out of reach; the two look alike."""
     beside = float(rng.choice([0.0, 0.0, -0.4, 0.4]))
-    return (np.round(J @ rates(rng, 6) + beside * velocity_ellipsoid(J).axes[:, -1], 4) + 0.0).tolist()
+    return (
+        np.round(J @ rates(rng, 6) + beside * velocity_ellipsoid(J).axes[:, -1], 4) + 0.0
+    ).tolist()
 
 
 def blocks(J: Array) -> tuple[Array, Array]:
@@ -117,7 +132,9 @@ def J(arm: Arm) -> Array:
 
 def sizes(J: Array) -> str:
     """Singular values of J, A and W."""
-    lists = [", ".join(f"{size:.4f}" for size in singular_values(block)) for block in (J, *blocks(J))]
+    lists = [
+        ", ".join(f"{size:.4f}" for size in singular_values(block)) for block in (J, *blocks(J))
+    ]
     return r"of $\mathbf J$: {}; of $\mathbf A$: {}; of $\mathbf W$: {}".format(*lists)
 
 
@@ -132,7 +149,10 @@ def sizes(J: Array) -> str:
             "These are the numbers of joints; the rank depends on q. Did rounding of q pass for a singular value?",
             lambda: np.array([6, 3, 3]),
         ),
-        ("A block loses rank here; what does that do to the whole of J?", lambda ranks: np.array([6, *ranks[1:]])),
+        (
+            "A block loses rank here; what does that do to the whole of J?",
+            lambda ranks: np.array([6, *ranks[1:]]),
+        ),
     ],
 )
 def ranks(J: Array) -> Array:
@@ -150,7 +170,11 @@ def ranks(J: Array) -> Array:
     return np.array([rank(block, ZERO) for block in (J, *blocks(J))])
 
 
-@part(1, Choice(REASONS), shows={"det": lambda arm: arm.determinant, "factors": lambda arm: arm.factors})
+@part(
+    1,
+    Choice(REASONS),
+    shows={"det": lambda arm: arm.determinant, "factors": lambda arm: arm.factors},
+)
 def reason(arm: Arm) -> str:
     r"""What keeps $\mathbf J$ from having an inverse at your $\mathbf q$
 
@@ -167,7 +191,13 @@ def reason(arm: Arm) -> str:
     return LETTERS[int(np.argmin(np.abs(arm.factors)))]
 
 
-@part(3, Numbers((3,)), check=lambda J, value: judged_lost(weakest(blocks(J)), value), credit="all", tolerance=ANGLE)
+@part(
+    3,
+    Numbers((3,)),
+    check=lambda J, value: judged_lost(weakest(blocks(J)), value),
+    credit="all",
+    tolerance=ANGLE,
+)
 def lost(J: Array) -> Array:
     r"""The unit vector $\mathbf u$ of the direction that is lost, in base axes, with either sign: along $\mathbf u$ joints 1, 2, 3
     give the wrist centre no velocity if it is $\mathbf A$ that loses rank; about $\mathbf u$ joints 4, 5, 6 give the tool no angular
@@ -184,7 +214,11 @@ def lost(J: Array) -> Array:
     return lost_direction(weakest(blocks(J)))
 
 
-@part(1, Choice(SOLUTIONS), shows={"left": left_over, "found": lambda solutions: SOLUTIONS[LETTERS.index(solutions)]})
+@part(
+    1,
+    Choice(SOLUTIONS),
+    shows={"left": left_over, "found": lambda solutions: SOLUTIONS[LETTERS.index(solutions)]},
+)
 def solutions(J: Array, xi: Array) -> str:
     r"""How many joint rates $\dot{\mathbf q}$ give your twist $\boldsymbol\xi$ at your $\mathbf q$: $\mathbf J \dot{\mathbf q} = \boldsymbol\xi$,
     all six components prescribed
@@ -208,14 +242,27 @@ def judged_elbow(a3: float, d4: float, elbow: Array, value: Array) -> Outcome:
     right, share = list_share(value, elbow, ELBOW)
     finding = ""
     if right.all() and share < 1:
-        finding = "There is another branch: the tangent repeats after pi, the arm is straight or folded."
+        finding = (
+            "There is another branch: the tangent repeats after pi, the arm is straight or folded."
+        )
     slips = (
-        (np.pi / 2, "A right angle would be right without a3: the wrist centre lies beside the forearm's axis."),
-        (np.arctan2(d4, a3), "Look again at a sign: which sine and which cosine cancel each other?"),
-        (np.arctan2(a3, d4), "Look again at the quotient: which of the two lengths stands with the sine?"),
+        (
+            np.pi / 2,
+            "A right angle would be right without a3: the wrist centre lies beside the forearm's axis.",
+        ),
+        (
+            np.arctan2(d4, a3),
+            "Look again at a sign: which sine and which cosine cancel each other?",
+        ),
+        (
+            np.arctan2(a3, d4),
+            "Look again at the quotient: which of the two lengths stands with the sine?",
+        ),
     )
     for slip, sentence in slips:
-        seen = listed(value[~right[:, 0]], [[slip], [-slip], [slip - np.pi], [np.pi - slip]], ELBOW)[0]
+        seen = listed(
+            value[~right[:, 0]], [[slip], [-slip], [slip - np.pi], [np.pi - slip]], ELBOW
+        )[0]
         if seen.any():
             finding = finding or sentence
     return Outcome(right, finding=finding, share=share)

@@ -12,11 +12,19 @@ from ...solutions.jacobian import last_frame_columns
 from ..answers import Numbers
 from ..arm import Arm, Array, arm_of
 from ..arms.hand import CONVENTION, DEGREES, ROBOT, drawn, in_degrees, modified
+from ..calculations.last_frame import (
+    HALF,
+    WAY_BACK,
+    WRONG,
+    columns_of,
+    shows_mistakes,
+    to_last,
+    turned,
+)
+from ..contract.printed_table import printed_table, table_rows
+from ..contract.question import Question
 from ..draws import angles, length, until
-from ..last_frame import HALF, WAY_BACK, WRONG, columns_of, shows_mistakes, to_last, turned
 from ..part import exercise, part
-from ..printed_table import printed_table, table_rows
-from ..question import Question
 
 TWIST_UNITS = ["m/rad"] * 3 + ["1"] * 3
 COLUMN = Numbers((6,), TWIST_UNITS, 3)
@@ -30,7 +38,11 @@ def draw(rng: np.random.Generator) -> dict[str, Any]:
 
     def arm() -> dict[str, Any]:
         v: dict[str, Any] = {"columns": columns, "a2": length(rng), "a3": length(rng)}
-        return v | {"a4": length(rng, 0.2, 0.6), "d6": length(rng, 0.2, 0.5), "q": angles(rng, 6, [(1, 2), (1, 2, 3)])}
+        return v | {
+            "a4": length(rng, 0.2, 0.6),
+            "d6": length(rng, 0.2, 0.5),
+            "q": angles(rng, 6, [(1, 2), (1, 2, 3)]),
+        }
 
     v = until(arm, lambda v: shows_mistakes(arm_of(ROBOT, v), [i - 1 for i in columns]))
     first, second = columns
@@ -69,7 +81,9 @@ def on_paper(k: int) -> Question:
     of the hand along each axis of frame 6. The angular rows are $n_z, o_z, a_z$, the axis $\mathbf z$ in that frame:
     $$\mathbf J_{{<i>}} = <{X}>$$
     """
-    mistakes = [(text, lambda arm, columns, *, way=way: way(arm)[:, columns[k] - 1]) for text, way in WRONG]
+    mistakes = [
+        (text, lambda arm, columns, *, way=way: way(arm)[:, columns[k] - 1]) for text, way in WRONG
+    ]
     return part(
         2,
         COLUMN,

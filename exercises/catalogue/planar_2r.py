@@ -13,9 +13,9 @@ from ..answers import Formulas, Numbers, Variant
 from ..arm import Arm, Array
 from ..arms import planar as arms
 from ..arms.planar import FORMS, NAMES, UP, misread
-from ..columns import columns
+from ..calculations.columns import columns
+from ..calculations.own_formulas import jacobian_of_position
 from ..exercise import Outcome
-from ..own_formulas import jacobian_of_position
 from ..part import exercise, part
 from ..properties import up_to_full_turns
 
@@ -25,7 +25,12 @@ from ..properties import up_to_full_turns
     Formulas((3,), NAMES),
     check=lambda value, pose: up_to_full_turns(value, pose, NAMES, [2]),
     mistakes=(
-        (arms.ALONE, lambda form: arms.pose_formulas(arms.angle_formulas(form)[0], f"0{arms.bend_formula(form)}")),
+        (
+            arms.ALONE,
+            lambda form: arms.pose_formulas(
+                arms.angle_formulas(form)[0], f"0{arms.bend_formula(form)}"
+            ),
+        ),
         (arms.MOUNTING, lambda form: arms.pose(form, "0")),
         (arms.EXCHANGED, lambda form: [arms.pose(form)[i] for i in (1, 0, 2)]),
         *misread(lambda v: arms.pose(v["form"])),
@@ -55,7 +60,10 @@ def pose(form: int) -> list[str]:
     mistakes=(
         (arms.MINUS, lambda form: arms.slopes(form, minus=1)),
         (arms.CHAIN_RULE, lambda form: arms.slopes(form, (1, 1))),
-        (arms.LINK_2, lambda form: [[one.replace("l2", "0"), two] for one, two in arms.slopes(form)]),
+        (
+            arms.LINK_2,
+            lambda form: [[one.replace("l2", "0"), two] for one, two in arms.slopes(form)],
+        ),
         *misread(lambda v: arms.slopes(v["form"])),
     ),
 )
@@ -77,7 +85,9 @@ def J_symbolic(pose: ExpressionArray) -> Any:
     3,
     Numbers((2, 4, 4), [[["1", "1", "1", "m"]] * 3 + [["1"] * 4]]),
     # A product in the wrong order, whose rotation is right by chance, earns nothing for it.
-    check=lambda value, v: Outcome(share=0.5 if np.abs(value - arms.wrong_order(v)).max() <= arms.NEAR else None),
+    check=lambda value, v: Outcome(
+        share=0.5 if np.abs(value - arms.wrong_order(v)).max() <= arms.NEAR else None
+    ),
     mistakes=(
         (arms.FROM_1, arms.links),
         (arms.ORDER, arms.wrong_order),
@@ -106,11 +116,17 @@ def T(v: Variant) -> Array:
     mistakes=(
         (arms.SENSE, lambda T: columns(np.array([UP, UP]), arms.levers(T), "RR")),
         (arms.FROM_BASE, lambda arm, T: columns(arm.axes.T, T[[1, 1], :3, 3], "RR")),
-        (arms.TO_JOINT_2, lambda arm, T: columns(arm.axes.T, np.array([T[0, :3, 3], arms.levers(T)[1]]), "RR")),
+        (
+            arms.TO_JOINT_2,
+            lambda arm, T: columns(arm.axes.T, np.array([T[0, :3, 3], arms.levers(T)[1]]), "RR"),
+        ),
         (arms.OMEGA_SENSE, lambda J: np.concatenate([J[:5], [[1.0, 1.0]]])),
         *misread(arms.jacobian),
     ),
-    shows={"sense1": lambda form: f"{FORMS[form][0]:+d}", "sense2": lambda form: f"{FORMS[form][1]:+d}"},
+    shows={
+        "sense1": lambda form: f"{FORMS[form][0]:+d}",
+        "sense2": lambda form: f"{FORMS[form][1]:+d}",
+    },
 )
 def J(arm: Arm, T: Array) -> Array:
     r"""The 6 × 2 Jacobian $\mathbf J$ of the tool point in the axes of frame 0 at your $\mathbf q$, rows

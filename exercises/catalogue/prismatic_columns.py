@@ -8,17 +8,19 @@ from ...solutions.jacobian import last_frame_columns
 from ...solutions.robots import ROBOTS
 from ..answers import LETTERS, Choice, Numbers
 from ..arm import Arm, Array, arm_of
-from ..columns import LATE, TURNING, TURNING_SLIDE, all_turning, late, right, tool_axes
+from ..calculations.columns import LATE, TURNING, TURNING_SLIDE, all_turning, late, right, tool_axes
+from ..contract.printed_table import printed_table, table_rows
 from ..draws import angles, length, until
 from ..exercise import Outcome
 from ..part import exercise, part
-from ..printed_table import printed_table, table_rows
 
 ROBOT = ROBOTS["stanford_spong"]
 KINDS = ROBOT.kinds
 SLIDE = 2  # index of joint 3
 SHOWS = 0.05  # by which a mistake changes a column
-TOLERANCE = 2e-3  # of the entries of J: three decimals, from transforms and a column that were rounded
+TOLERANCE = (
+    2e-3  # of the entries of J: three decimals, from transforms and a column that were rounded
+)
 WEIGHT = 0.4  # of column 3 in the points for J: what this exercise is about
 COLUMN = Numbers((6,), "1", 3)
 RIGHT_REASON = 2
@@ -38,9 +40,15 @@ UNIT_OPTIONS = (
     r"the revolute columns are multiplied by $180/\pi$ in all six rows, column 3 stays",
 )
 CHANGES = (  # of units, and the letter of what becomes of J
-    ("every length and linear velocity is given in millimetres, the stroke $q_3$ and its rate too", "b"),
+    (
+        "every length and linear velocity is given in millimetres, the stroke $q_3$ and its rate too",
+        "b",
+    ),
     ("only the rate of joint 3 is given in millimetres per second, and nothing else changes", "d"),
-    ("only the rates of the revolute joints are given in degrees per second; twists stay in m/s and rad/s", "e"),
+    (
+        "only the rates of the revolute joints are given in degrees per second; twists stay in m/s and rad/s",
+        "e",
+    ),
 )
 OTHER_TYPE = "Which formula belongs to a slide? Look again at the type of joint 3."
 TURNS = "The angular rows: how fast does the hand turn while only joint 3 slides?"
@@ -65,7 +73,13 @@ def draw(rng: np.random.Generator) -> dict[str, Any]:
 def shows_mistakes(arm: Arm) -> bool:
     """Whether every known mistake changes column 3."""
     T, stroke = arm.frames, arm.q[SLIDE]
-    lasts = (last(T), last(T) * stroke, in_last_frame(T, "R"), above_zeros(to_last_frame(T)), base(T))
+    lasts = (
+        last(T),
+        last(T) * stroke,
+        in_last_frame(T, "R"),
+        above_zeros(to_last_frame(T)),
+        base(T),
+    )
     bases = (base(T), base(T) * stroke, all_turning(T, KINDS)[:, SLIDE], above_zeros(T[SLIDE - 1]))
     return all(np.abs(wrong - own[0]).max() > SHOWS for own in (lasts, bases) for wrong in own[1:])
 

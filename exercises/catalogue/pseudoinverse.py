@@ -14,13 +14,19 @@ from ...solutions.singularity import rank, sigma_min
 from ...solutions.velocity import pseudoinverse
 from ..answers import Choice, Manual, Numbers
 from ..arm import Arm, Array
+from ..calculations.lost import still_rates
+from ..calculations.readings import TRANSPOSED
+from ..calculations.redundant import (
+    HALF,
+    gives_twist,
+    judged_least,
+    judged_null,
+    judged_pseudoinverse,
+)
 from ..drawing import Drawing
 from ..draws import until
 from ..exercise import Outcome
-from ..lost import still_rates
 from ..part import exercise, part
-from ..readings import TRANSPOSED
-from ..redundant import HALF, gives_twist, judged_least, judged_null, judged_pseudoinverse
 
 ROBOT = ROBOTS["panda"]
 REGULAR = 0.1  # smallest singular value of J, of J without column k, and of K where K has full rank
@@ -56,14 +62,20 @@ For (e): your joint $k$ is joint {k}."""
 def draw(rng: np.random.Generator) -> dict[str, Any]:
     """A posture, its Jacobian as printed, a twist, the joint k that stands still at the end, and the columns of K."""
     while True:
-        q = [round(float(low + (high - low) * rng.uniform(0.15, 0.85)), 3) for low, high in ROBOT.limits]
+        q = [
+            round(float(low + (high - low) * rng.uniform(0.15, 0.85)), 3)
+            for low, high in ROBOT.limits
+        ]
         J = np.round(jacobian(ROBOT.chain(), q), 4) + 0.0
         shares = np.abs(still_rates(J))
         fitting = [k for k in range(1, 8) if SHARE[0] <= shares[k - 1] <= SHARE[1]]
         if not fitting or sigma_min(J) < REGULAR:
             continue
         k = int(rng.choice(fitting))
-        signs, sizes = rng.choice([-1, 1], 6), np.concatenate([rng.integers(5, 31, 3), rng.integers(20, 91, 3)])
+        signs, sizes = (
+            rng.choice([-1, 1], 6),
+            np.concatenate([rng.integers(5, 31, 3), rng.integers(20, 91, 3)]),
+        )
         xi = [round(float(x) / 100, 2) for x in signs * sizes]
         turns = abs((pseudoinverse(J) @ xi)[k - 1]) >= SEEN
         if turns and sigma_min(np.delete(J, k - 1, axis=1)) >= REGULAR:
@@ -86,7 +98,12 @@ def columns_of_K(rng: np.random.Generator, J: Array) -> list[int]:
     Numbers((7, 6), [["rad/m"] * 3 + ["1"] * 3] * 7),
     check=judged_pseudoinverse,
     credit="column",
-    mistakes=[("This is J transposed; multiply it by J and see whether the identity comes out.", lambda J: J.T)],
+    mistakes=[
+        (
+            "This is J transposed; multiply it by J and see whether the identity comes out.",
+            lambda J: J.T,
+        )
+    ],
 )
 def pinv(J: Array) -> Array:
     r"""(a) The pseudoinverse $\mathbf J^{+}$, a 7 × 6 matrix

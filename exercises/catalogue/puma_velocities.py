@@ -13,13 +13,17 @@ from ...solutions.singularity import sigma_min
 from ..answers import Numbers
 from ..arm import Arm, Array
 from ..arms.puma import FAMILIES, NEAR_SINGULAR, PUMA, REACH, REGULAR, TABLE, drawn, posture
-from ..columns import LATE, TOOL_AXES, late, tool_axes
+from ..calculations.columns import LATE, TOOL_AXES, late, tool_axes
+from ..calculations.readings import LINEAR, TRANSPOSED, WHOLE, Speed, judged_rates, rates_for
 from ..draws import rates
 from ..exercise import Outcome
 from ..part import exercise, part
-from ..readings import LINEAR, TRANSPOSED, WHOLE, Speed, judged_rates, rates_for
 
-HELD, FREE, ALONE = "orientation held (omega = 0)", "orientation free, least norm", "only vx prescribed, least norm"
+HELD, FREE, ALONE = (
+    "orientation held (omega = 0)",
+    "orientation free, least norm",
+    "only vx prescribed, least norm",
+)
 WORDINGS = {
     HELD: Speed(6, WHOLE, "v_{x,c}"),
     FREE: Speed(6, LINEAR, "v_{x,c}"),

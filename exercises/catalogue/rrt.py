@@ -18,10 +18,25 @@ from ...solutions.robots import ROBOTS
 from ...solutions.table import Table
 from ..answers import Conditions, Formulas, Numbers, TableOf
 from ..arm import Arm, Array, arm_of
-from ..columns import LATE, OWN_LINK, TURNING_SLIDE, closed, late, own_link, right, turning_slide
+from ..calculations.columns import (
+    LATE,
+    OWN_LINK,
+    TURNING_SLIDE,
+    closed,
+    late,
+    own_link,
+    right,
+    turning_slide,
+)
+from ..calculations.own_formulas import (
+    closed_determinant,
+    closed_factors,
+    determinant_of,
+    factors_of,
+    jacobian_of_table,
+)
 from ..drawing import Drawing
 from ..draws import angles, length, until
-from ..own_formulas import closed_determinant, closed_factors, determinant_of, factors_of, jacobian_of_table
 from ..part import exercise, part
 from ..properties import named_multiple
 
@@ -29,7 +44,11 @@ LENGTHS = ("d1", "a1", "d2", "l3")
 NAMES = (*LENGTHS, "q1", "q2", "q3")
 OFFSETS = ((), ("a1",), ("d2",), ("l3",), ("a1", "d2"), ("a1", "l3"), ("d2", "l3"))
 FORMS = tuple((alpha1, offsets) for offsets in OFFSETS for alpha1 in ("-pi/2", "pi/2"))
-LIMITS = {"q1": (-np.pi, np.pi), "q2": (-np.pi, np.pi), "q3": (-1.5, 1.5)}  # of the singular postures asked [rad, m]
+LIMITS = {
+    "q1": (-np.pi, np.pi),
+    "q2": (-np.pi, np.pi),
+    "q3": (-1.5, 1.5),
+}  # of the singular postures asked [rad, m]
 
 STATEMENT = r"""The robot turns about the vertical axis 1 and the horizontal axis 2, and slides along axis 3 (RRT). The
 first figure shows it in its home pose, $q_1 = q_2 = 0$, with frame 0, the lengths, the tool frame and the positive
@@ -41,7 +60,9 @@ $\theta_3 = 0$, without joint offsets, and so that frame 3 is the tool frame tha
 unique."""
 
 LINKS = "These lead from each frame to the next; all three shall start at the fixed frame."
-HOME_POSE = "This would be right if q2 were measured from another zero; look at the home pose again."
+HOME_POSE = (
+    "This would be right if q2 were measured from another zero; look at the home pose again."
+)
 ELEVATION = {"q2": parse("pi/2 - q2", ["q2"])}  # q2 measured from the horizontal
 ON_AXIS_1 = "on axis 1, which then cannot move it"
 BESIDE = "beside axis 1, off it by $d_2$ along axis 2: even so, joint 1 moves it only in the plane of joints 2 and 3"
@@ -74,11 +95,26 @@ def robot(form: int) -> Robot:
     limits = ROBOTS["rrt_spherical"].limits
     lengths = dict.fromkeys(("d1", *offsets), 1.0)
     rows = (("q1", "d1", a1, alpha1), ("q2", d2, "0", alpha2), ("0", way, "0", "0"))
-    factors = (Factor("hand on axis 2", way), Factor("hand on axis 1, or beside it along axis 2", across))
-    return Robot("rrt", "RRT robot", lengths, rows, limits, "S3 5.4.1; drawn for each student", factors=factors)
+    factors = (
+        Factor("hand on axis 2", way),
+        Factor("hand on axis 1, or beside it along axis 2", across),
+    )
+    return Robot(
+        "rrt",
+        "RRT robot",
+        lengths,
+        rows,
+        limits,
+        "S3 5.4.1; drawn for each student",
+        factors=factors,
+    )
 
 
-@part(3, TableOf(LENGTHS, "RRP"), shows={"side": lambda form: "left" if FORMS[form][0] == "-pi/2" else "right"})
+@part(
+    3,
+    TableOf(LENGTHS, "RRP"),
+    shows={"side": lambda form: "left" if FORMS[form][0] == "-pi/2" else "right"},
+)
 def dh(arm: Arm) -> Table:
     r"""The DH table: one row $[\theta_i, d_i, a_i, \alpha_i]$ per joint, as text in the names of your lengths and q1,
     q2, q3, for instance `['q1 + pi', 0.25, 'd1', 'pi/3']`, or as numbers at your $\mathbf q$ (radians, metres)
@@ -176,7 +212,9 @@ def J_symbolic(arm: Arm, dh: Table) -> ExpressionArray:
 
 def from_horizontal(arm: Arm) -> Expression:
     """The determinant where q2 is measured from the horizontal, which turns column 2 about, too."""
-    return parse("-det", ["det"]).put({"det": closed_determinant(arm.robot).entries[0].put(ELEVATION)})
+    return parse("-det", ["det"]).put(
+        {"det": closed_determinant(arm.robot).entries[0].put(ELEVATION)}
+    )
 
 
 @part(
@@ -206,7 +244,9 @@ def det(arm: Arm, J_symbolic: ExpressionArray) -> ExpressionArray:
     Conditions(NAMES, lambda _: LIMITS),
     follow=0.5,
     shows={"second": lambda v: BESIDE if "d2" in v else ON_AXIS_1},
-    mistakes=[(HOME_POSE, lambda arm: [factor.put(ELEVATION) for factor in closed_factors(arm.robot)])],
+    mistakes=[
+        (HOME_POSE, lambda arm: [factor.put(ELEVATION) for factor in closed_factors(arm.robot)])
+    ],
 )
 def singular(arm: Arm, det: ExpressionArray) -> tuple[Expression, ...]:
     r"""All postures in which the linear block $\mathbf J_v$ is singular: a list of conditions in the names of your
@@ -228,14 +268,19 @@ def singular(arm: Arm, det: ExpressionArray) -> tuple[Expression, ...]:
 def drawings(arm: Arm) -> tuple[Drawing, Drawing]:
     """The arm at home with all lengths and the stroke q3, one after the other, and at the student's q."""
     alt = "RRT arm: a vertical revolute joint, a horizontal revolute joint, a slide."
-    at_home, at_q = "Home pose, q1 = q2 = 0, with the positive sense of each joint.", "The same robot at your q."
+    at_home, at_q = (
+        "Home pose, q1 = q2 = 0, with the positive sense of each joint.",
+        "The same robot at your q.",
+    )
     home = arm.at([0.0, 0.0, arm.q[2]])
     base, shoulder, hand = (frame[:3, :3].T for frame in home.frames[:3])
     ways = {"d1": base[2], "a1": shoulder[0], "d2": shoulder[2], "l3": hand[2], "q3": hand[2]}
     sizes = {**arm.lengths, "q3": arm.q[2]}
     corners = np.cumsum([np.zeros(3), *(size * ways[name] for name, size in sizes.items())], axis=0)
     lines = dict(zip(sizes, pairwise(corners), strict=True))
-    return home.drawing(at_home, f"{alt} {at_home}", lengths=lines), arm.drawing(at_q, f"{alt} {at_q}", tool="")
+    return home.drawing(at_home, f"{alt} {at_home}", lengths=lines), arm.drawing(
+        at_q, f"{alt} {at_q}", tool=""
+    )
 
 
 EXERCISE = exercise(

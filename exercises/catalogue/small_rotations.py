@@ -11,11 +11,11 @@ import numpy as np
 from ..answers import LETTERS
 from ..arm import Arm, Array, arm_of
 from ..arms.rrpr import LENGTHS, SENSES, UNITS, described, drawn, posture, robot, rotation_at
-from ..columns import LATE, TURNING_SLIDE, late, right
+from ..calculations.columns import LATE, TURNING_SLIDE, late, right
+from ..calculations.small_turns import EXACT, FIRST_ORDER, MISREAD, TOLERANCE, between, the_way_back
 from ..draws import length, until
 from ..exercise import Choice, Numbers, Variant
 from ..part import exercise, part
-from ..small_turns import EXACT, FIRST_ORDER, MISREAD, TOLERANCE, between, the_way_back
 
 DIVISORS = (2, 4, 10)
 FACTORS = (2, 4, 8, 10, 16, 64, 100, 1000)  # the divisors, their squares and cubes
@@ -42,7 +42,9 @@ def is_telling(v: Variant) -> bool:
     arm, R1, R2, k = arm_of(robot(v["form"]), v), np.array(v["R1"]), np.array(v["R2"]), v["k"]
     exact, first_order = between(R1, R2), B(arm) @ v["dq"]
     after = rotation_at(v["form"], arm.q + np.array(v["dq"]) / k)
-    ratio = np.linalg.norm(exact - first_order) / np.linalg.norm(between(arm.R, after) - first_order / k)
+    ratio = np.linalg.norm(exact - first_order) / np.linalg.norm(
+        between(arm.R, after) - first_order / k
+    )
     others = [first_order, *(wrong(R1, R2) for _, wrong in MISREAD)]
     matters = np.abs([exact, first_order]).min() >= 0.008 and np.linalg.norm(exact) <= 0.14
     shows = min(np.abs(other - exact).max() for other in others) >= 1e-3
@@ -83,7 +85,10 @@ def dw(R1: Array, R2: Array) -> Array:
     mistakes=(
         (TURNING_SLIDE, lambda arm: arm.axes),
         (LATE, lambda arm: late(arm.frames, arm.kinds)[3:]),
-        ("This is the block in axes of the tool frame; base axes are asked.", lambda arm, B: arm.R.T @ B),
+        (
+            "This is the block in axes of the tool frame; base axes are asked.",
+            lambda arm, B: arm.R.T @ B,
+        ),
     ),
 )
 def B(arm: Arm) -> Array:
@@ -120,7 +125,11 @@ def Bdq(B: Array, dq: Array) -> Array:
     return B @ dq
 
 
-@part(1, Choice(tuple(map(str, FACTORS))), shows={"square": lambda k: k**2, "missed": lambda dw, Bdq: dw - Bdq})
+@part(
+    1,
+    Choice(tuple(map(str, FACTORS))),
+    shows={"square": lambda k: k**2, "missed": lambda dw, Bdq: dw - Bdq},
+)
 def factor(k: int) -> str:
     r"""By which factor, about, does the length of $d\mathbf w - \mathbf B\,d\mathbf q$ shrink when every entry of
     $d\mathbf q$ is divided by your $k$ and $\mathbf R_2$ is computed anew?

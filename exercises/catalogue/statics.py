@@ -32,7 +32,11 @@ def draw(rng: np.random.Generator) -> dict[str, Any]:
     """An arm, a force in each of two frames, and a posture in which the arm is stretched or folded."""
     v = posture(ROBOT, rng)
     v |= {"F": force(rng), "F_tool": force(rng)}
-    return v | {"q_s": until(lambda: singular_posture(rng), lambda q_s: is_telling(arm_of(ROBOT, v).at(q_s)))}
+    return v | {
+        "q_s": until(
+            lambda: singular_posture(rng), lambda q_s: is_telling(arm_of(ROBOT, v).at(q_s))
+        )
+    }
 
 
 def force(rng: np.random.Generator) -> list[float]:
@@ -60,9 +64,14 @@ def named_opposite(arm: Arm, q_s: Array, value: Array) -> Outcome:
         return Outcome(right=True)
     _, _, rates = np.linalg.svd(at_s.J[:3])
     if parallel(value, rates[-1], DIRECTION):
-        return Outcome(right=False, finding="These are joint rates that move nothing; a force is asked.")
+        return Outcome(
+            right=False, finding="These are joint rates that move nothing; a force is asked."
+        )
     if parallel(value, at_s.axes[:, 1], DIRECTION):
-        return Outcome(right=False, finding="This is the direction of axes 2 and 3; such a force turns joint 1.")
+        return Outcome(
+            right=False,
+            finding="This is the direction of axes 2 and 3; such a force turns joint 1.",
+        )
     return Outcome(right=False)
 
 
@@ -116,7 +125,9 @@ def drawings(arm: Arm, q_s: Array) -> tuple[Any, Any]:
     """The arm at both postures."""
     alt = "Arm with three revolute joints: axis 1 vertical, axes 2 and 3 horizontal and parallel"
     now = arm.drawing("The arm at your q.", f"{alt}, drawn at your q.", base="base")
-    singular = arm.at(q_s).drawing("The arm at the singular posture.", f"{alt}, its links in one line.", base="base")
+    singular = arm.at(q_s).drawing(
+        "The arm at the singular posture.", f"{alt}, its links in one line.", base="base"
+    )
     return now, singular
 
 
@@ -138,7 +149,9 @@ EXERCISE = exercise(
     parts=(
         ask.jacobian(rows="linear", name="J", points=3),
         ask.torques(rows="linear", wrench="F", points=2),
-        ask.torques(rows="linear", axes="tool", wrench="F_tool", symbol=r"\mathbf F^{tool}", name="tau_tool"),
+        ask.torques(
+            rows="linear", axes="tool", wrench="F_tool", symbol=r"\mathbf F^{tool}", name="tau_tool"
+        ),
         costless,
         carried,
     ),

@@ -38,7 +38,9 @@ def draw(rng: np.random.Generator) -> dict[str, Any]:
         return {**lengths, "q": angles(rng, 3, [(1, 2)])}
 
     v = until(arm, is_regular)
-    return v | {"dp": until(lambda: small(rng), lambda drawn: is_telling(arm_of(ROBOT, v), np.array(drawn)))}
+    return v | {
+        "dp": until(lambda: small(rng), lambda drawn: is_telling(arm_of(ROBOT, v), np.array(drawn)))
+    }
 
 
 def is_regular(v: dict[str, Any]) -> bool:
@@ -152,12 +154,18 @@ def held_rotation(arm: Arm, A: Array, dp: Array = WISHED) -> Array:
         "size": lambda A: f"{np.linalg.det(A):.3f}",
     },
     mistakes=(
-        ("The transposed block is no inverse: a linear system is to be solved.", lambda A, dp=WISHED: A.T @ dp),
+        (
+            "The transposed block is no inverse: a linear system is to be solved.",
+            lambda A, dp=WISHED: A.T @ dp,
+        ),
         (
             "The displacement of the tool point is multiplied by A; which side of A dq = dp is known?",
             lambda A, dp=WISHED: A @ dp,
         ),
-        ("This is a least-squares answer with all six rows and dw = 0; here the rotation is free.", held_rotation),
+        (
+            "This is a least-squares answer with all six rows and dw = 0; here the rotation is free.",
+            held_rotation,
+        ),
     ),
 )
 def dq(A: Array, dp: Array = WISHED) -> Array:
@@ -181,7 +189,10 @@ def dq(A: Array, dp: Array = WISHED) -> Array:
     1,
     Numbers((3,), "rad", 5),
     mistakes=(
-        ("Rows and columns of B are exchanged: its columns are the joint axes.", lambda B, dq: B.T @ dq),
+        (
+            "Rows and columns of B are exchanged: its columns are the joint axes.",
+            lambda B, dq: B.T @ dq,
+        ),
         (
             "This is the rotation in the axes of the tool frame; base axes are asked.",
             lambda arm, B, dq: arm.R.T @ B @ dq,
@@ -209,7 +220,10 @@ def dw(B: Array, dq: Array) -> Array:
             "This is the true displacement itself; how far is it from the wished one?",
             lambda arm, dq: arm.at(arm.q + dq).p - arm.p,
         ),
-        ("A dq - dp is zero because dq solves it; the true tool point at q + dq is asked.", lambda: np.zeros(3)),
+        (
+            "A dq - dp is zero because dq solves it; the true tool point at q + dq is asked.",
+            lambda: np.zeros(3),
+        ),
     ),
 )
 def error(arm: Arm, dq: Array, dp: Array = WISHED) -> Array:

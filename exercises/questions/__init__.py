@@ -5,7 +5,14 @@ the sheet: a Jacobian is built from the student's transforms where these are ask
 `name` and `points` may be given; so may the names of what it takes, such as `ask.twist(J="J_tool", qdot="rates")`.
 """
 
-from .block import determinant, ellipsoid, ellipsoid_axis, manipulability, manipulability_formula, singular
+from .block import (
+    determinant,
+    ellipsoid,
+    ellipsoid_axis,
+    manipulability,
+    manipulability_formula,
+    singular,
+)
 from .frames import dh_table, pose, transforms
 from .other_frames import to_base_origin, to_tool_axes
 from .statics import torques, wrench_in_base_axes

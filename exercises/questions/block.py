@@ -9,12 +9,12 @@ from ...solutions.robot import Robot
 from ...solutions.singularity import manipulability as product_of_values
 from ..answers import Conditions, Formulas, Numbers
 from ..arm import Arm, Array
+from ..calculations.own_formulas import closed_determinant, closed_factors
+from ..calculations.twists import VELOCITIES, Chosen, jacobian_units, listed, rows_on_sheet
+from ..contract.question import Question
 from ..exercise import ExerciseError, Outcome
-from ..own_formulas import closed_determinant, closed_factors
 from ..part import Ready, Setting
 from ..properties import named_multiple, parallel
-from ..question import Question
-from ..twists import VELOCITIES, Chosen, jacobian_units, listed, rows_on_sheet
 from .frames import filled
 
 DETERMINANT = r"""The determinant of the rows @rows@ of $\mathbf J$ in base axes at the tool point, with its sign, as one formula in the names
@@ -89,14 +89,18 @@ def determinant(*, name: str = "det", points: float = 2) -> Ready:
         _check_names(setting, "determinant")
         rows = rows_on_sheet("task", setting.rows, robot.task_rows)
         text = filled(DETERMINANT, rows=listed(VELOCITIES, rows), name=name)
-        return Question(_determinant, name, points, Formulas((), robot.names), check=_named, docstring=text)
+        return Question(
+            _determinant, name, points, Formulas((), robot.names), check=_named, docstring=text
+        )
 
     return ready
 
 
 def _check_names(setting: Setting, what: str) -> None:
     """Formulas are in names of the sheet: a length that is not drawn has none there."""
-    missing = sorted(closed_determinant(setting.robot).names - {*setting.robot.joints, *setting.arm.lengths})
+    missing = sorted(
+        closed_determinant(setting.robot).names - {*setting.robot.joints, *setting.arm.lengths}
+    )
     if missing:
         raise ExerciseError(
             f"{what} takes an arm whose lengths are drawn, since it asks for formulas in their names; "
@@ -137,7 +141,9 @@ def singular(*, name: str = "singular", points: float = 3) -> Ready:
         _check_names(setting, "singular")
         rows = rows_on_sheet("task", setting.rows, robot.task_rows)
         limits = limits_of(robot)
-        text = filled(SINGULAR, rows=listed(VELOCITIES, rows), limits=_said(limits, robot.kinds), name=name)
+        text = filled(
+            SINGULAR, rows=listed(VELOCITIES, rows), limits=_said(limits, robot.kinds), name=name
+        )
         answer = Conditions(robot.names, lambda _: limits)
         shows = {"product": lambda arm: closed_determinant(arm.robot)}
         return Question(_factors, name, points, answer, shows=shows, docstring=text)
@@ -172,19 +178,32 @@ def _said(limits: dict[str, tuple[float, float]], kinds: str) -> str:
 
 
 def ellipsoid(
-    *, rows: Chosen = "linear", name: str = "axes", points: float = 2, decimals: int = 3, J: str = "J"
+    *,
+    rows: Chosen = "linear",
+    name: str = "axes",
+    points: float = 2,
+    decimals: int = 3,
+    J: str = "J",
 ) -> Ready:
     """Half axes (m,) of the velocity ellipsoid of the Jacobian `J` before it, which has these rows."""
 
     def ready(setting: Setting) -> Question:
         asked = rows_on_sheet(rows, setting.rows, setting.robot.task_rows)
-        text = filled(ELLIPSOID, count=len(asked), rows=listed(VELOCITIES, asked), n=setting.robot.n, name=name)
+        text = filled(
+            ELLIPSOID,
+            count=len(asked),
+            rows=listed(VELOCITIES, asked),
+            n=setting.robot.n,
+            name=name,
+        )
         mistakes = (
             (SQUARES, lambda J: velocity_ellipsoid(J).lengths ** 2),
             (INVERSES, lambda J: np.sort(1 / velocity_ellipsoid(J).lengths)[::-1]),
         )
         answer = Numbers((len(asked),), jacobian_units(asked, "R")[0][0], decimals)
-        return Question(_half_axes, name, points, answer, mistakes, docstring=text, renamed={"J": J})
+        return Question(
+            _half_axes, name, points, answer, mistakes, docstring=text, renamed={"J": J}
+        )
 
     return ready
 
@@ -194,7 +213,12 @@ def _half_axes(J: Array) -> Array:
 
 
 def ellipsoid_axis(
-    *, rows: Chosen = "linear", name: str = "axis", points: float = 2, decimals: int = 4, J: str = "J"
+    *,
+    rows: Chosen = "linear",
+    name: str = "axis",
+    points: float = 2,
+    decimals: int = 4,
+    J: str = "J",
 ) -> Ready:
     """A direction (m,) of the longest half axis of the velocity ellipsoid, at any length and with either sign.
 
@@ -240,7 +264,9 @@ def manipulability(
         text = filled(MANIPULABILITY, rows=listed(VELOCITIES, asked), name=name)
         mistakes = ((SQUARE, lambda J: product_of_values(J) ** 2),)
         answer = Numbers((), "1", decimals)
-        return Question(_manipulability, name, points, answer, mistakes, docstring=text, renamed={"J": J})
+        return Question(
+            _manipulability, name, points, answer, mistakes, docstring=text, renamed={"J": J}
+        )
 
     return ready
 

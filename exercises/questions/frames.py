@@ -8,9 +8,9 @@ import numpy as np
 from ...solutions.table import Table
 from ..answers import Numbers, TableOf
 from ..arm import Arm, Array
+from ..contract.question import Question, Wrong
 from ..exercise import ExerciseError
 from ..part import Ready, Setting
-from ..question import Question, Wrong
 
 POSE = [["1", "1", "1", "m"]] * 3 + [["1"] * 4]
 AXIS = {"standard": r"\mathbf z_{i-1}", "modified": r"\mathbf z_i"}
@@ -72,7 +72,9 @@ def dh_table(*, name: str = "dh", points: float = 3, decimals: int = 3) -> Ready
     def ready(setting: Setting) -> Question:
         robot = setting.robot
         if robot.convention == "frames":
-            raise ExerciseError(f"dh_table takes a robot with a Denavit-Hartenberg table, got {robot.name}")
+            raise ExerciseError(
+                f"dh_table takes a robot with a Denavit-Hartenberg table, got {robot.name}"
+            )
         answer = TableOf(tuple(robot.parameters), robot.kinds, robot.convention, decimals)
         text = filled(TABLE, axis=f"${AXIS[robot.convention]}$", name=name)
         return Question(_table_of, name, points, answer, docstring=text)
@@ -84,7 +86,9 @@ def _table_of(arm: Arm) -> Table:
     return arm.robot.table
 
 
-def pose(*, name: str = "T", points: float = 2, decimals: int = 4, mistakes: Sequence[Wrong] = ()) -> Ready:
+def pose(
+    *, name: str = "T", points: float = 2, decimals: int = 4, mistakes: Sequence[Wrong] = ()
+) -> Ready:
     """The pose (4, 4) of the tool frame in the base frame; `mistakes` are known wrong ways beside its inverse."""
 
     def ready(setting: Setting) -> Question:
@@ -146,7 +150,9 @@ def poses(arm: Arm) -> Array:
 
 def _of_table(arm: Arm, dh: Table) -> Array:
     frames = dh.frames(arm.robot.values(arm.lengths), arm.q)
-    return frames[1:] if dh.convention == "standard" else frames[:-1]  # a modified table has its tool at the end
+    return (
+        frames[1:] if dh.convention == "standard" else frames[:-1]
+    )  # a modified table has its tool at the end
 
 
 def _same(frames: Array) -> bool:

@@ -7,7 +7,7 @@ import numpy as np
 
 from ..answers import Numbers
 from ..arm import Arm, Array
-from ..conversions import (
+from ..calculations.conversions import (
     LINEAR_ONLY,
     MOVED,
     NEITHER,
@@ -21,10 +21,10 @@ from ..conversions import (
     shift,
     turn,
 )
+from ..calculations.twists import described, jacobian_units, rows_on_sheet
+from ..contract.question import Question, Wrong
 from ..exercise import Rows
 from ..part import Ready, Setting
-from ..question import Question, Wrong
-from ..twists import described, jacobian_units, rows_on_sheet
 from .frames import filled
 
 Conversion = Callable[[Array, Array], Array]
@@ -75,14 +75,24 @@ class _Lead:
             name=name,
         )
         answer = Numbers((6, robot.n), jacobian_units(rows, robot.kinds), decimals)
-        wrong = [(sentence, _on_sheet(way, rows)) for sentence, way in self.wrong if self.changed_by(way, setting.arm)]
+        wrong = [
+            (sentence, _on_sheet(way, rows))
+            for sentence, way in self.wrong
+            if self.changed_by(way, setting.arm)
+        ]
         return Question(_on_sheet(self.convert, rows), name, points, answer, wrong, docstring=text)
 
-    def ready(self, name: str, points: float, decimals: int, mistakes: Sequence[Wrong], **earlier: str) -> Ready:
+    def ready(
+        self, name: str, points: float, decimals: int, mistakes: Sequence[Wrong], **earlier: str
+    ) -> Ready:
         """The question for the setting it will stand in, from the results `earlier` on the sheet."""
 
         def question(setting: Setting) -> Question:
-            return self.question(setting, name, points, decimals).called(name, **earlier).also(mistakes)
+            return (
+                self.question(setting, name, points, decimals)
+                .called(name, **earlier)
+                .also(mistakes)
+            )
 
         return question
 

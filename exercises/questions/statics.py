@@ -7,9 +7,9 @@ import numpy as np
 
 from ..answers import Numbers
 from ..arm import Arm, Array
+from ..calculations.twists import LOADS, Chosen, listed, rows_on_sheet, torque_units, wrench_units
+from ..contract.question import Question
 from ..part import Ready, Setting
-from ..question import Question
-from ..twists import LOADS, Chosen, listed, rows_on_sheet, torque_units, wrench_units
 from .frames import filled
 
 TORQUES = r"""The joint torques $\boldsymbol\tau$@slides@ with which the drives hold the arm at your $\mathbf q$ while the tool applies the
@@ -33,10 +33,14 @@ $$\mathbf F = <@name@>$$
 STILL_TOOL = "This is still in the axes of the tool frame; base axes are asked."
 NOT_TURNED = "The force seems to be used as if it were given in base axes; it is given in the axes of the tool frame."
 TURNED_AWAY = "The force seems to be turned the wrong way round: the tool axes R lead from tool axes to base axes."
-UNTRANSPOSED = "J F is no torque: power is the same in both spaces, so the transposed J stands here."
+UNTRANSPOSED = (
+    "J F is no torque: power is the same in both spaces, so the transposed J stands here."
+)
 INVERSE = "This comes from the inverse of J; torques follow from the transposed J."
 DIFFERENT = 1e-3
-SIGN = "Every sign is reversed: the tool applies this force to its surroundings, it does not bear it."
+SIGN = (
+    "Every sign is reversed: the tool applies this force to its surroundings, it does not bear it."
+)
 
 
 def torques(
@@ -73,7 +77,9 @@ def torques(
             turned=TURNED if in_tool_axes else "",
             name=name,
         )
-        wrong: list[tuple[str, Any]] = [(SIGN, lambda arm, J, wrench: -_torques(J, in_base_axes(arm, wrench)))]
+        wrong: list[tuple[str, Any]] = [
+            (SIGN, lambda arm, J, wrench: -_torques(J, in_base_axes(arm, wrench)))
+        ]
         if in_tool_axes:
             wrong += [
                 (NOT_TURNED, lambda J, wrench: J.T @ wrench),
@@ -102,11 +108,15 @@ def _load(rows: list[int]) -> str:
     return "moment" if min(rows) > 2 else "force and moment"
 
 
-def _showing(wrong: list[tuple[str, Any]], tau: Any, arm: Arm, rows: list[int]) -> list[tuple[str, Any]]:
+def _showing(
+    wrong: list[tuple[str, Any]], tau: Any, arm: Arm, rows: list[int]
+) -> list[tuple[str, Any]]:
     """The mistakes that change the torques of such an arm."""
     known = {"arm": arm, "J": arm.J[rows], "wrench": np.arange(2.0, 2.0 + len(rows)) ** 1.5}
     right = tau(**known)
-    return [(said, of) for said, of in wrong if np.abs(_called(of, known) - right).max() > DIFFERENT]
+    return [
+        (said, of) for said, of in wrong if np.abs(_called(of, known) - right).max() > DIFFERENT
+    ]
 
 
 def _called(function: Any, known: dict[str, Any]) -> Array:
@@ -137,7 +147,9 @@ def wrench_in_base_axes(
 
     def ready(setting: Setting) -> Question:
         asked = rows_on_sheet(rows, setting.rows, setting.robot.task_rows)
-        text = filled(WRENCH, load=_load(asked), wrench=listed(LOADS, asked), symbol=symbol, name=name)
+        text = filled(
+            WRENCH, load=_load(asked), wrench=listed(LOADS, asked), symbol=symbol, name=name
+        )
 
         def F(arm: Arm, wrench: Array) -> Array:
             return turned(arm.R, wrench, asked)
@@ -147,6 +159,8 @@ def wrench_in_base_axes(
             (TURNED_AWAY, lambda arm, wrench: turned(arm.R.T, wrench, asked)),
         )
         answer = Numbers((len(asked),), wrench_units(asked), decimals)
-        return Question(F, name, points, answer, mistakes, docstring=text, renamed={"wrench": wrench})
+        return Question(
+            F, name, points, answer, mistakes, docstring=text, renamed={"wrench": wrench}
+        )
 
     return ready

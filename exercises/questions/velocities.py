@@ -10,12 +10,21 @@ from ...solutions.jacobian import jacobian as jacobian_of
 from ...solutions.velocity import pseudoinverse
 from ..answers import Numbers
 from ..arm import Arm, Array
-from ..columns import SLIPS, TOOL_AXES, Slip, all_turning, late, late_axes, right
+from ..calculations.columns import SLIPS, TOOL_AXES, Slip, all_turning, late, late_axes, right
+from ..calculations.twists import (
+    VELOCITIES,
+    Chosen,
+    described,
+    jacobian_units,
+    listed,
+    rate_units,
+    rows_on_sheet,
+    twist_units,
+)
+from ..contract.question import Question, Wrong
 from ..exercise import ExerciseError, Outcome
 from ..part import Ready, Setting
 from ..properties import meets
-from ..question import Question, Wrong
-from ..twists import VELOCITIES, Chosen, described, jacobian_units, listed, rate_units, rows_on_sheet, twist_units
 from .frames import filled
 
 Point = Literal["tool", "origin"] | int
@@ -36,9 +45,7 @@ $$\left[\mathbf o \cdots \mathbf p\right] = <places>$$
 The columns, with your numbers:
 $$\mathbf J = <@name@>$$
 """
-TURNED = (
-    r""" In tool axes both blocks are multiplied by $\mathbf R^T$, where $\mathbf R$ holds the tool axes as columns."""
-)
+TURNED = r""" In tool axes both blocks are multiplied by $\mathbf R^T$, where $\mathbf R$ holds the tool axes as columns."""
 SLIDE = r", a prismatic joint's is $\mathbf z$ and zeros"
 SLIDE_HINT = "A prismatic joint turns nothing: its column holds its axis and zeros."
 ORDER_HINT = "The order of a cross product decides its sign."
@@ -53,7 +60,9 @@ TWIST = r"""The twist $\boldsymbol\xi =$ @twist@ of the tool at your $\mathbf q$
 $\boldsymbol\xi = \mathbf J \dot{\mathbf q}$:
 $$\boldsymbol\xi = <@name@>$$
 """
-TRANSPOSED_TWIST = "This is J transposed times the joint rates; joint rates are weights of the columns of J."
+TRANSPOSED_TWIST = (
+    "This is J transposed times the joint rates; joint rates are weights of the columns of J."
+)
 RATES = r"""The joint rates $\dot{\mathbf q}$ @least@at which the tool has the velocity $@symbol@ =$ @twist@ at your $\mathbf q$
 
 - Which rows of $\mathbf J$ take part?
@@ -67,9 +76,7 @@ WIDE = (
     r"There are more joints than rows; of all rates that give the velocity those of least norm are "
     r"$\dot{\mathbf q} = \mathbf J^{+} @symbol@$ with $\mathbf J^{+} = \mathbf J^{T} (\mathbf J \mathbf J^{T})^{-1}$:"
 )
-TRANSPOSED = (
-    "This comes from J transposed, which is no inverse: put the rates into J and look at the velocity they give."
-)
+TRANSPOSED = "This comes from J transposed, which is no inverse: put the rates into J and look at the velocity they give."
 NORM = "These rates give the velocity, but there are smaller ones: of all that do, those of least norm are asked."
 REACHED = 0.01  # of the velocity: rates this near were meant to reach it
 UNASKED_NORM = 0.5  # of the points for rates that reach the velocity, but not with the least norm
@@ -96,7 +103,9 @@ def jacobian(
         arm = setting.arm
         asked = rows_on_sheet(rows, setting.rows, arm.robot.task_rows)
         if not np.abs(_jacobian(arm, frame, point)[asked]).max() > DIFFERENT:
-            raise ExerciseError(f"jacobian: no joint of {arm.robot.name} moves {_named(point)}; choose another point")
+            raise ExerciseError(
+                f"jacobian: no joint of {arm.robot.name} moves {_named(point)}; choose another point"
+            )
         plain = frame == "base" and point == "tool"
         own_T = plain and arm.robot.convention == "standard" and _has_transforms(setting)
 
@@ -194,7 +203,9 @@ def _mistakes(arm: Arm, asked: list[int], frame: str, point: Point) -> tuple[Wro
     if isinstance(point, int):
         found.append((BEYOND, lambda arm: _beyond(arm, point)[asked]))
     J = _jacobian(arm, frame, point)[asked]  # pyright: ignore[reportArgumentType]
-    return tuple((sentence, wrong) for sentence, wrong in found if np.abs(wrong(arm) - J).max() > DIFFERENT)
+    return tuple(
+        (sentence, wrong) for sentence, wrong in found if np.abs(wrong(arm) - J).max() > DIFFERENT
+    )
 
 
 def _sentence(slip: Slip, kinds: str) -> str:
@@ -232,7 +243,11 @@ def twist(
         asked = rows_on_sheet(rows, setting.rows, setting.robot.task_rows)
         text = filled(TWIST, twist=listed(VELOCITIES, asked), symbol=symbol, name=name)
         answer = Numbers((len(asked),), twist_units(asked), decimals)
-        wrong = ((TRANSPOSED_TWIST, lambda J, qdot: J.T @ qdot),) if len(asked) == setting.robot.n else ()
+        wrong = (
+            ((TRANSPOSED_TWIST, lambda J, qdot: J.T @ qdot),)
+            if len(asked) == setting.robot.n
+            else ()
+        )
         renamed = {"J": J, "qdot": qdot}
         return Question(_twist, name, points, answer, wrong, docstring=text, renamed=renamed)
 
@@ -301,7 +316,9 @@ def _by_velocity(decimals: int, *, least: bool) -> Callable[..., Outcome | None]
             return None
         if not least:
             return Outcome(right=True)
-        is_least = np.abs(value - _rates(J, xi)).max() <= REACHED * max(1.0, float(np.abs(value).max()))
+        is_least = np.abs(value - _rates(J, xi)).max() <= REACHED * max(
+            1.0, float(np.abs(value).max())
+        )
         return None if is_least else Outcome(finding=NORM, share=UNASKED_NORM)
 
     return judged

@@ -23,7 +23,12 @@ def best():
     return [[np.pi / 2], [-np.pi / 2]]
 
 
-@part(1, Choice(("a circle", "a line segment across the arm", "a line segment along the arm", "a point")))
+@part(
+    1,
+    Choice(
+        ("a circle", "a line segment across the arm", "a line segment along the arm", "a point")
+    ),
+)
 def collapse():
     """What becomes of the ellipse at $q_2 = 0$"""
     return "b"
@@ -42,7 +47,11 @@ EXERCISE = exercise(
     robot=ARM,
     draw=lambda rng: until(lambda: posture(ARM, rng, regular=0.1), is_telling),
     parts=[
-        *(ask.jacobian(rows="task", points=2), ask.manipulability_formula(), ask.ellipsoid(rows="task")),
+        *(
+            ask.jacobian(rows="task", points=2),
+            ask.manipulability_formula(),
+            ask.ellipsoid(rows="task"),
+        ),
         *(ask.ellipsoid_axis(rows="task"), best, collapse, sketch),
     ],
 )

@@ -13,11 +13,20 @@ ARM = ROBOTS["planar_3r"]
 
 def draw(rng):
     v = posture(ARM, rng) | {"dx": [float(x) / 1000 for x in rng.integers(20, 80, 2)]}
-    v["matrices"] = [rng.uniform(-1, 1, shape).round(2).tolist() for shape in ((2, 3), (3, 6), (3, 3))]
-    return v | {"links": [[0.5, 0.4, 0.3], [0.6, 0.2, 0.4]], "starts": rng.uniform(0.3, 0.9, (2, 3)).round(3).tolist()}
+    v["matrices"] = [
+        rng.uniform(-1, 1, shape).round(2).tolist() for shape in ((2, 3), (3, 6), (3, 3))
+    ]
+    return v | {
+        "links": [[0.5, 0.4, 0.3], [0.6, 0.2, 0.4]],
+        "starts": rng.uniform(0.3, 0.9, (2, 3)).round(3).tolist(),
+    }
 
 
-@part(2, Numbers((3,), "rad", 5), mistakes=[("The transposed J is no inverse.", lambda J, dx: J.T @ dx)])
+@part(
+    2,
+    Numbers((3,), "rad", 5),
+    mistakes=[("The transposed J is no inverse.", lambda J, dx: J.T @ dx)],
+)
 def dq(J, dx):
     r"""The first Newton step $\Delta\mathbf q = \mathbf J^+ \Delta\mathbf x$"""
     return np.linalg.pinv(J) @ dx
@@ -29,7 +38,13 @@ def error(arm, dq, dx):
     return (arm.at(arm.q + dq).p - arm.p)[:2] - dx
 
 
-@part(3, Function("(A, lam)", lambda v: {f"matrix {i}": [(A, 0.1), (A, 0.3)] for i, A in enumerate(v["matrices"])}))
+@part(
+    3,
+    Function(
+        "(A, lam)",
+        lambda v: {f"matrix {i}": [(A, 0.1), (A, 0.3)] for i, A in enumerate(v["matrices"])},
+    ),
+)
 def damped():
     r"""A function that returns $\mathbf A^T(\mathbf A \mathbf A^T + \lambda^2 \mathbf I)^{-1}$"""
 
@@ -46,7 +61,10 @@ def tip(links, q):
 
 def targets(v):
     arms = zip(v["links"], v["starts"], strict=True)
-    return {f"arm {i}": [(links, tip(links, [0.4, 0.9, 0.2]).tolist(), q)] for i, (links, q) in enumerate(arms)}
+    return {
+        f"arm {i}": [(links, tip(links, [0.4, 0.9, 0.2]).tolist(), q)]
+        for i, (links, q) in enumerate(arms)
+    }
 
 
 def judged(v, value):
@@ -56,7 +74,11 @@ def judged(v, value):
 
 def reaches(call, q):
     links, x, _ = call
-    return not isinstance(q, str) and q.shape == (3,) and bool(np.linalg.norm(tip(links, q) - x) < 1e-4)
+    return (
+        not isinstance(q, str)
+        and q.shape == (3,)
+        and bool(np.linalg.norm(tip(links, q) - x) < 1e-4)
+    )
 
 
 @part(4, Function("(links, x, q0)", targets), check=judged)

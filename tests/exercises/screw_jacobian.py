@@ -30,5 +30,10 @@ EXERCISE = exercise(
     robot=ARM,
     draw=lambda rng: posture(ARM, rng),
     rows="angular, linear",
-    parts=[ask.pose(), ask.jacobian(point="origin", name="J_s"), Ad, ask.jacobian(frame="tool", name="J_b")],
+    parts=[
+        ask.pose(),
+        ask.jacobian(point="origin", name="J_s"),
+        Ad,
+        ask.jacobian(frame="tool", name="J_b"),
+    ],
 )

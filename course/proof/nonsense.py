@@ -1,0 +1,97 @@
+"""What nobody shall get a point for: zeros, ones, another shape, the answer transposed, one result for all inputs."""
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...exercises.answers import (
+    Answer,
+    Conditions,
+    Formulas,
+    Function,
+    Manual,
+    Numbers,
+    TableOf,
+    Variant,
+)
+from ...grader.collecting.wire import Raw
+from ...grader.kinds.markers import handed_in
+
+Array = NDArray[np.float64]
+Spoiled = Callable[[Answer, Any, Variant], Raw]
+
+
+def _filled(fill: Callable[[tuple[int, ...]], Array]) -> Spoiled:
+    """Numbers of the asked shape, whatever the kind; a function that returns them for every input."""
+
+    def raw(answer: Answer, value: Any, v: Variant) -> Raw:
+        if isinstance(answer, Function):
+            results = [np.asarray(value(*call)) for call in answer.calls(v)]
+            return Raw("calls", [Raw("num", fill(result.shape)) for result in results])
+        return Raw("num", fill(answer.array_shape))
+
+    return raw
+
+
+def _identity(shape: tuple[int, ...]) -> Array:
+    if len(shape) < 2:
+        return np.eye(1, shape[0])[0] if shape else np.ones(())
+    return np.broadcast_to(np.eye(shape[-2], shape[-1]), shape).copy()
+
+
+def _commonest(answer: Answer, value: Any, v: Variant) -> Raw:
+    """A function that returns for every input what is right for most of them; nothing, where all results differ."""
+    if not isinstance(answer, Function):
+        return Raw("missing")
+    results = [np.asarray(value(*call), dtype=float) for call in answer.calls(v)]
+    often = [sum(np.array_equal(result, other) for other in results) for result in results]
+    if max(often, default=0) < 2:
+        return Raw("missing")
+    return Raw("calls", [Raw("num", results[int(np.argmax(often))])] * len(results))
+
+
+def _always(raw: Raw) -> Spoiled:
+    def same(_: Answer, __: Any, ___: Variant) -> Raw:
+        return raw
+
+    return same
+
+
+def _transposed(answer: Answer, value: Any, v: Variant) -> Raw:
+    raw = handed_in(answer, value, v)
+    if isinstance(answer, Numbers) and len(answer.shape) > 1:
+        return Raw("num", np.swapaxes(raw.value, -1, -2))
+    if isinstance(answer, TableOf) or (isinstance(answer, Formulas) and len(answer.shape) == 2):
+        return Raw("text", [list(column) for column in zip(*raw.value, strict=True)])
+    return Raw("missing")
+
+
+def _as_empty(answer: Answer, _: Any, __: Variant) -> Raw:
+    if isinstance(answer, Conditions):
+        return Raw("text", [])
+    return Raw("num", np.ones((0,)))
+
+
+def _quoted_x(answer: Answer, _: Any, __: Variant) -> Raw:
+    return Raw("missing") if isinstance(answer, Manual) else Raw("text", "x")
+
+
+NONSENSE: dict[str, Spoiled] = {
+    "0.0": _always(Raw("num", np.array(0.0))),
+    "zeros": _filled(np.zeros),
+    "ones": _filled(np.ones),
+    "minus ones": _filled(lambda shape: -np.ones(shape)),
+    "identity": _filled(_identity),
+    "None": _always(Raw("error", "not a matrix of numbers: None")),
+    "'x'": _quoted_x,
+    "NaN": _filled(lambda shape: np.full(shape, np.nan)),
+    "one result for all inputs": _commonest,
+    "another shape": _filled(lambda shape: np.ones((*shape, 2))),
+    "ones((1, 1))": _always(Raw("num", np.ones((1, 1)))),
+    "empty": _as_empty,
+    "transposed": _transposed,
+    "missing": _always(Raw("missing")),
+}
+"""Name to what is handed in for an answer kind, its reference and its variant."""

@@ -1,0 +1,85 @@
+"""An exercise as its people see it, on one page: sheet, worked solution, feedback of every known mistake."""
+
+from typing import Any
+
+import numpy as np
+from markupsafe import Markup
+
+from ...exercises.answers import Manual
+from ...exercises.exercise import Exercise, Part
+from ...grader.collecting.wire import Raw
+from ...grader.kinds.markers import handed_in
+from ...grader.marking.answer_key import AnswerKey
+from ...grader.marking.mark import mark
+from ...grader.marking.verdict import Verdict
+from ..drawn import drawn
+from ..escape import no_markup
+from ..markdown import markdown_html
+from ..pages import feedback_block, template
+from ..sheet.notebook import given_cell, points_text, prompt_text, question_text, worked_steps
+
+
+def preview_page(exercise: Exercise, seed: int) -> str:
+    """HTML that needs nothing else: the exercise with the numbers of that draw.
+
+    Raises:
+        ExerciseError: the exercise fails on these numbers; `validate` says more.
+    """
+    v = drawn(exercise, np.random.default_rng(seed))
+    key = AnswerKey(exercise, v)
+    right = {
+        part.variable: handed_in(part.answer, key.reference[part.variable], v)
+        for part in exercise.asked
+    }
+    return template("preview.html").render(
+        exercise=exercise,
+        seed=seed,
+        points=points_text(exercise.points),
+        about=_html(question_text(1, exercise, v)),
+        given=given_cell(exercise, v),
+        parts=[_part(key, part, right) for part in exercise.asked],
+    )
+
+
+def _html(text: str) -> Markup:
+    return Markup(markdown_html(text))  # noqa: S704 - the exercise's own text
+
+
+def _part(key: AnswerKey, part: Part, right: dict[str, Raw]) -> dict[str, Any]:
+    solution = [_html(step) for step in worked_steps(part, dict(key.v), key.reference)]
+    if isinstance(part.answer, Manual):
+        solution.append(
+            _html(
+                "\n".join(f"- {points:g}: {no_markup(text)}" for points, text in part.answer.rubric)
+            )
+        )
+    return {
+        "variable": part.variable,
+        "prompt": _html(prompt_text(part, hints=True)),
+        "needs": part.needs,
+        "solution": solution,
+        "code": part.answer.code(part.variable, key.reference[part.variable]),
+        "mistakes": [_mistake(key, part, right, known) for known in _mistaken(key, part)],
+    }
+
+
+def _mistaken(key: AnswerKey, part: Part) -> list[tuple[str, Any]]:
+    return [(sentence, wanted.value) for sentence, wanted in key.mistaken(part, key.wanted(part))]
+
+
+def _mistake(
+    key: AnswerKey, part: Part, right: dict[str, Raw], known: tuple[str, Any]
+) -> dict[str, Any]:
+    """The feedback of a sheet that is right but for this mistake, and what the whole sheet loses by it."""
+    sentence, value = known
+    raws = {**right, part.variable: handed_in(part.answer, value, key.v)}
+    verdicts = {verdict.part: verdict for verdict in mark(key.exercise, key.v, raws, key=key)}
+    return {
+        "sentence": sentence,
+        "feedback": feedback_block(part, verdicts[part.variable]),
+        "loses": f"{part.points - _earned(verdicts[part.variable]):g}",
+    }
+
+
+def _earned(verdict: Verdict) -> float:
+    return verdict.points or 0.0

@@ -1,0 +1,50 @@
+"""What validating exercises found, as a table and as JSON."""
+
+import json
+import sys
+from collections.abc import Sequence
+from dataclasses import asdict
+
+from rich.box import SIMPLE_HEAD
+from rich.console import Console
+from rich.table import Table
+
+from ..console import say
+from .validate import KINDS, Validation, summary
+
+
+def show_validations(validations: Sequence[Validation]) -> None:
+    """One line for every exercise on stdout, then the first failures of each."""
+    console = Console() if sys.stdout.isatty() else Console(width=160)
+    console.print(table_of(validations))
+    for validation in validations:
+        for line in summary(validation):
+            print(f"✗ {validation.slug}: {line}")  # noqa: T201 - data of the command
+    failed = sum(bool(validation.failures) for validation in validations)
+    say(f"{len(validations) - failed} of {len(validations)} exercises are valid.")
+
+
+def table_of(validations: Sequence[Validation]) -> Table:
+    """A column for each thing that was looked at: ✓, or how many draws failed."""
+    table = Table(header_style="bold", pad_edge=False, box=SIMPLE_HEAD)
+    table.add_column("exercise", no_wrap=True)
+    for name in ("parts", "points", "draws", "slowest draw", *KINDS):
+        table.add_column(name, justify="right", no_wrap=True)
+    for validation in validations:
+        failed = {kind: {f.seed for f in validation.failures if f.kind == kind} for kind in KINDS}
+        table.add_row(
+            validation.slug,
+            str(validation.parts),
+            f"{validation.points:g}",
+            str(validation.draws),
+            f"{1000 * validation.seconds_to_draw:.1f} ms",
+            *(f"✗ {len(failed[kind])}" if failed[kind] else "✓" for kind in KINDS),
+        )
+    return table
+
+
+def validations_json(validations: Sequence[Validation]) -> str:
+    """Everything a script would want."""
+    return json.dumps(
+        [asdict(validation) for validation in validations], indent=2, ensure_ascii=False
+    )

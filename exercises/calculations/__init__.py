@@ -1,0 +1,1 @@
+"""What several exercises compute, right and in the ways in which it goes wrong."""

@@ -1,0 +1,140 @@
+"""What the names on a sheet stand for: settled when an exercise file loads, filled in when a student is marked."""
+
+import inspect
+from collections.abc import Callable, Collection, Mapping
+from dataclasses import dataclass
+from difflib import get_close_matches
+from typing import Any, cast
+
+import numpy as np
+
+from ..answers import Variant
+from ..arm import Arm
+from ..exercise import ExerciseError
+
+Function = Callable[..., Any]
+NOTHING = inspect.Parameter.empty
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A parameter of a function, the name on the sheet that it stands for, and its default."""
+
+    name: str
+    source: str
+    default: Any
+
+
+@dataclass(frozen=True, eq=False)
+class Bound:
+    """A function of names on the sheet, with what each of its parameters stands for."""
+
+    function: Function
+    parameters: tuple[Parameter, ...]
+
+    def takes(self, name: str) -> bool:
+        """Whether one of the parameters stands for this name."""
+        return any(parameter.source == name for parameter in self.parameters)
+
+    def __call__(self, names: "Names", v: Variant, answers: Mapping[str, Any]) -> Any:
+        """The function's value for a student's numbers `v` and for `answers`, by the names of the parts.
+
+        Raises:
+            ExerciseError: a number that this variant lacks is taken without a default.
+        """
+        return self.function(**{p.name: names.value(p, v, answers) for p in self.parameters})
+
+
+@dataclass(frozen=True, eq=False)
+class Names:
+    """The names on the sheet of one exercise: its drawn numbers, and `arm` where it has a robot."""
+
+    slug: str
+    drawn: frozenset[str]
+    arm: Callable[[Variant], Arm] | None
+
+    def bound(
+        self,
+        function: Function,
+        what: str,
+        answers: Collection[str] = (),
+        renamed: Mapping[str, str] | None = None,
+    ) -> Bound:
+        """The function with its parameters settled: drawn numbers, `v` for all of them, `arm`, or one of `answers`.
+
+        `renamed` are parameters that stand for another name. A keyword-only parameter with a default is no name but a
+        constant of the function.
+
+        Raises:
+            ExerciseError: a parameter stands for nothing; the sentence has the nearest name.
+        """
+        known = {*self.drawn, *answers, "v"}
+        if self.arm:
+            known.add("arm")
+        found: list[Parameter] = []
+        for parameter in _signature(function, f"exercise {self.slug}: {what}"):
+            source = (renamed or {}).get(parameter.name, parameter.name)
+            if source in known:
+                found.append(Parameter(parameter.name, source, parameter.default))
+            elif parameter.kind is not parameter.KEYWORD_ONLY or parameter.default is NOTHING:
+                raise ExerciseError(
+                    f"exercise {self.slug}: {what} takes {source!r}, {self._unknown(source, known)}"
+                )
+        return Bound(function, tuple(found))
+
+    def value(self, parameter: Parameter, v: Variant, answers: Mapping[str, Any]) -> Any:
+        """What a parameter stands for on one student's sheet; a drawn list of numbers comes as an array."""
+        name = parameter.source
+        if name in answers:
+            return answers[name]
+        if name in v:
+            return as_array(v[name])
+        if name == "v":
+            return v
+        if name == "arm" and self.arm:
+            return self.arm(v)
+        if parameter.default is NOTHING:
+            raise ExerciseError(
+                f"exercise {self.slug}: {name} is not among the numbers of this variant; a number that only some "
+                f"variants have takes a default: {name}=0.0"
+            )
+        return parameter.default
+
+    def _unknown(self, name: str, known: Collection[str]) -> str:
+        if name == "arm":
+            return "but the exercise has no robot"
+        near = get_close_matches(name, known, 1)
+        hint = f"did you mean {near[0]!r}? " if near else ""
+        return f"which is no name on the sheet; {hint}here stand: {', '.join(sorted(known))}"
+
+
+def as_array(value: Any) -> Any:
+    """A list of numbers, or of equal rows of them, as an array; anything else as it is."""
+    if not _is_numeric(value):
+        return value
+    try:
+        return np.array(value)
+    except ValueError:  # rows of different lengths
+        return value
+
+
+def _is_numeric(value: Any) -> bool:
+    if not isinstance(value, list):
+        return False
+    items = cast("list[Any]", value)
+    return bool(items) and all(isinstance(item, int | float) or _is_numeric(item) for item in items)
+
+
+def _signature(function: Function, what: str) -> list[inspect.Parameter]:
+    try:
+        parameters = [*inspect.signature(function).parameters.values()]
+    except (TypeError, ValueError):
+        raise ExerciseError(
+            f"{what} takes a function of names on the sheet, got {function!r}"
+        ) from None
+    for parameter in parameters:
+        if parameter.kind not in (parameter.POSITIONAL_OR_KEYWORD, parameter.KEYWORD_ONLY):
+            raise ExerciseError(
+                f"{what} takes parameters that are names on the sheet, got {parameter}"
+            )
+    return parameters

@@ -1,0 +1,1 @@
+"""Exercise files: found, read with their neighbours, loaded."""

@@ -1,0 +1,55 @@
+"""Finding exercise files, ours and a course's own."""
+
+from difflib import get_close_matches
+from pathlib import Path
+
+from ..exercise import Exercise, ExerciseError
+from .loading import EXERCISE_WANTED, load
+from .neighbours import content_hash, defines_exercise
+
+__all__ = ["content_hash", "defines_exercise", "exercise_files", "find", "load"]
+
+
+CATALOGUE = Path(__file__).resolve().parents[1] / "catalogue"
+
+
+def exercise_files(*folders: Path) -> dict[str, Path]:
+    """Slug to file, for ours and for those in `folders`; a course's file replaces ours of the same name.
+
+    Raises:
+        ExerciseError: a file cannot be read.
+    """
+    found: dict[str, Path] = {}
+    for folder in (CATALOGUE, *folders):
+        found |= own_files(folder)
+    return found
+
+
+def own_files(folder: Path) -> dict[str, Path]:
+    """Slug to file, for the exercises in one folder."""
+    found: dict[str, Path] = {}
+    for path in sorted(folder.glob("*.py")):
+        try:
+            if defines_exercise(path):
+                found[path.stem] = path
+        except OSError as error:
+            raise ExerciseError(
+                f"{path}: the exercise file cannot be read: {error.strerror}"
+            ) from error
+    return found
+
+
+def find(slug: str, files: dict[str, Path], *folders: Path) -> Exercise:
+    """The exercise of that slug. `folders` are where a file that defines no exercise may lie.
+
+    Raises:
+        ExerciseError: there is none; the sentence names the nearest and all others.
+    """
+    if slug in files:
+        return load(files[slug])
+    for folder in folders:
+        if (folder / f"{slug}.py").is_file():
+            raise ExerciseError(f"{folder / slug}.py defines no exercise: {EXERCISE_WANTED}")
+    near = get_close_matches(slug, files, 1)
+    hint = f"did you mean {near[0]!r}? " if near else ""
+    raise ExerciseError(f"there is no exercise {slug!r}; {hint}known: {', '.join(sorted(files))}")

@@ -1,0 +1,118 @@
+"""The text of an exercise file together with the modules beside it that it imports, read before any of it is run."""
+
+import ast
+import hashlib
+import re
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from ..exercise import ExerciseError
+
+HOME = (
+    Path(__file__).resolve().parents[1]
+)  # files in here belong to this package and use relative imports
+_DEFINES_EXERCISE = re.compile(rb"^EXERCISE\b", re.MULTILINE)
+
+
+@dataclass(frozen=True)
+class Source:
+    """A file as it was read, and the texts of the modules beside it that it imports, however indirectly, by name."""
+
+    path: Path
+    text: bytes
+    beside: Mapping[str, bytes]
+
+    @property
+    def hash(self) -> str:
+        """Of all of these texts; without modules beside it, of the file's own."""
+        own = hashlib.sha256(self.text).hexdigest()
+        if not self.beside:
+            return own
+        others = [
+            f"{name} {hashlib.sha256(other).hexdigest()}"
+            for name, other in sorted(self.beside.items())
+        ]
+        return hashlib.sha256("\n".join([own, *others]).encode()).hexdigest()
+
+    def neighbour(self, name: str) -> "Source":
+        """One of the modules beside it, with those that it imports in turn."""
+        text = self.beside[name]
+        return Source(self.path.with_name(f"{name}.py"), text, _reached(text, self.beside.get))
+
+
+def read_source(path: Path) -> Source:
+    """A file of a course with its neighbours, or one of ours without.
+
+    Raises:
+        ExerciseError: a file cannot be read.
+    """
+    try:
+        text = path.read_bytes()
+        beside = {} if is_ours(path) else _reached(text, lambda name: _beside(path, name))
+    except OSError as error:
+        where = error.filename or path
+        raise ExerciseError(
+            f"{where}: the exercise file cannot be read: {error.strerror}"
+        ) from error
+    return Source(path, text, beside)
+
+
+def content_hash(path: Path) -> str:
+    """A hash of an exercise file and of all modules beside it that it imports, however indirectly.
+
+    Raises:
+        ExerciseError: a file cannot be read.
+    """
+    return read_source(path).hash
+
+
+def defines_exercise(path: Path) -> bool:
+    """Whether a file has a line that starts with EXERCISE; it is not run to find out."""
+    return _is_exercise(path.read_bytes())
+
+
+def is_ours(path: Path) -> bool:
+    """Whether a file lies in this package, in whatever folder of it."""
+    return path.resolve().is_relative_to(HOME)
+
+
+def imported(text: bytes, *, dots: bool) -> Iterator[str]:
+    """Names without a dot that a text imports anywhere in it; with `dots`, those that it imports relatively."""
+    try:
+        tree = ast.parse(text)
+    except (SyntaxError, ValueError):  # running it says what is wrong
+        return
+    for node in ast.walk(tree):
+        names: list[str] = []
+        if isinstance(node, ast.Import) and not dots:
+            names = [alias.name for alias in node.names]
+        elif isinstance(node, ast.ImportFrom) and bool(node.level) is dots:
+            names = [node.module] if node.module else [alias.name for alias in node.names]
+        yield from (name for name in names if "." not in name)
+
+
+def _is_exercise(text: bytes) -> bool:
+    return _DEFINES_EXERCISE.search(text.replace(b"\r", b"\n")) is not None
+
+
+def _beside(path: Path, name: str) -> bytes | None:
+    """The text of the module of that name beside a file; None where there is none, or where it is an exercise."""
+    module = path.with_name(f"{name}.py")
+    if module == path or not module.is_file():
+        return None
+    text = module.read_bytes()
+    return None if _is_exercise(text) else text
+
+
+def _reached(text: bytes, look: Callable[[str], bytes | None]) -> dict[str, bytes]:
+    """The modules that some text imports, those that they import, and so on."""
+    found: dict[str, bytes] = {}
+    waiting = [text]
+    while waiting:
+        for name in imported(waiting.pop(), dots=False):
+            other = None if name in found else look(name)
+            if other is not None:
+                found[name] = other
+                waiting.append(other)
+    return found

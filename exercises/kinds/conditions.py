@@ -1,0 +1,97 @@
+"""Conditions on the joints, all of which are asked."""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, cast
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...solutions.condition import (
+    AllOf,
+    Condition,
+    all_of,
+    condition_text,
+    equations_of,
+    read_conditions,
+)
+from ...solutions.expression import Expression
+from ...solutions.expression_array import sample
+from ...solutions.table import JOINT
+from .formulas import PICTURES, names_on_sheet
+from .kind import Kind, ValueKindError, Variant, listed_rows
+
+
+@dataclass(frozen=True)
+class Conditions(Kind):
+    """Equations in `names`, such as sin(q2) = 0, all solutions of which are asked.
+
+    `domain(v)` gives the range of every joint within which solutions count. Its value is a tuple of `Condition`s: an
+    `Expression` that is zero where it holds, or `AllOf` several that hold at once. `solve` may return their texts,
+    such as "sin(q2)" or "sin(q2) = 0 and sin(q3) = 0", and tuples of texts or Expressions that hold at once.
+    """
+
+    names: tuple[str, ...]
+    domain: Callable[[Variant], Mapping[str, tuple[float, float]]]
+
+    @property
+    def form(self) -> str:
+        """With an example."""
+        return "a list of conditions, such as ['sin(q1) = 0']"
+
+    @property
+    def self_check(self) -> tuple[str, Any]:
+        """Whatever their number."""
+        return "conditions", None
+
+    @property
+    def asked_beside(self) -> str:
+        """What a wrong one costs."""
+        return "A wrong one costs a right one."
+
+    def declared(self, value: Any, v: Variant) -> tuple[Condition, ...]:
+        """A tuple of conditions."""
+        names = names_on_sheet(self.names, v)
+        entries: Sequence[Any] = [value] if isinstance(value, str | Expression | AllOf) else value
+        return tuple(condition for entry in entries for condition in _conditions(entry, names))
+
+    def pictured(self, value: Sequence[Condition], v: Variant) -> NDArray[np.float64]:
+        """A row (3,) for every equation; before those that hold at once, a row that says how many."""
+        joints = [name for name in self.names if JOINT.fullmatch(name)]
+        values: dict[str, Any] = {**v, **sample(joints, PICTURES)}
+        rows = list[Any]()
+        for condition in value:
+            equations = equations_of(condition)
+            if len(equations) > 1:
+                rows.append(float(len(equations)))
+            rows += [equation.at(values) for equation in equations]
+        return np.array([np.broadcast_to(row, PICTURES) for row in rows], dtype=float)
+
+    def code(self, variable: str, value: Sequence[Condition]) -> str:
+        """A list of text."""
+        return f"{variable} = {listed_rows(list(map(condition_text, value)))}"
+
+    def matlab(self, stacked: str) -> tuple[str, str]:
+        """A cell array of text."""
+        return "{''}", "equations, such as {'sin(q1) = 0', 'q2 = q3'}"
+
+
+def _conditions(entry: Any, names: tuple[str, ...]) -> Sequence[Condition]:
+    """What `solve` returns as one: a condition, the text of one or several, or a tuple of what holds at once."""
+    if isinstance(entry, Expression | AllOf):
+        return [entry]
+    if isinstance(entry, list | tuple):
+        return [all_of([_equation(one, names) for one in cast("Sequence[Any]", entry)])]
+    return read_conditions(entry, names)
+
+
+def _equation(entry: Any, names: tuple[str, ...]) -> Expression:
+    """One of the equations that hold at once."""
+    found = [
+        equation for condition in _conditions(entry, names) for equation in equations_of(condition)
+    ]
+    if len(found) != 1:
+        raise ValueKindError(
+            f"takes one equation in each place of a tuple that holds at once, got {str(entry)[:60]!r}"
+        )
+    return found[0]

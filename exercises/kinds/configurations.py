@@ -1,0 +1,75 @@
+"""A list of configurations that a part's own check judges."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .kind import Kind, ValueKindError, Variant, array_code, finite
+
+
+@dataclass(frozen=True)
+class Configurations(Kind):
+    """A list of up to `most` configurations of `joints` numbers each, judged by the part's `check`.
+
+    Its value is an array (m, joints); with one joint a plain list is read too. How many rows there are is not said on
+    the sheet. `in_order` are rows that follow one another, such as the iterates of a method; without, a sheet says
+    that a wrong one costs a right one.
+    """
+
+    joints: int
+    units: str | Sequence[Any] = "rad"
+    decimals: int = 4
+    most: int = 32
+    in_order: bool = False
+
+    @property
+    def form(self) -> str:
+        """A list of numbers or of rows."""
+        return (
+            "a list of numbers" if self.joints == 1 else f"a list of rows of {self.joints} numbers"
+        )
+
+    @property
+    def self_check(self) -> tuple[str, Any]:
+        """With the numbers of a row."""
+        return "list", self.joints
+
+    @property
+    def asked_beside(self) -> str:
+        """The decimals of rows in order, or what a wrong one costs."""
+        if self.in_order:
+            return f"Give {self.decimals} decimals, row after row in their order."
+        return "A wrong one costs a right one."
+
+    @property
+    def array_shape(self) -> tuple[int, ...]:
+        """Of two rows."""
+        return (2, self.joints)
+
+    def declared(self, value: Any, v: Variant) -> NDArray[np.float64]:
+        """Finite rows (m, joints)."""
+        rows = np.asarray(value, dtype=float).reshape(-1, self.joints)
+        if not 1 <= len(rows) <= self.most:
+            raise ValueKindError(f"takes 1 to {self.most} configurations, got {len(rows)}")
+        return finite(rows, rows.shape)
+
+    def pictured(self, value: Any, v: Variant) -> NDArray[np.float64]:
+        """The rows themselves."""
+        return value
+
+    def rounded(self, value: Any) -> Any:
+        """To the asked decimals."""
+        return np.round(np.asarray(value), self.decimals)
+
+    def code(self, variable: str, value: Any) -> str:
+        """An array with nine decimals."""
+        return array_code(variable, value)
+
+    def matlab(self, stacked: str) -> tuple[str, str]:
+        """A matrix."""
+        numbers = "1 number" if self.joints == 1 else f"{self.joints} numbers"
+        each = "step, in their order" if self.in_order else "configuration"
+        return "[]", f"a row of {numbers} for every {each}; {self.decimals} decimals"

@@ -1,0 +1,107 @@
+"""What every kind of answer brings: its words on a sheet, and its values checked, pictured and written down."""
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...solutions.errors import KinegradeError
+
+Variant = Mapping[str, Any]
+"""The drawn numbers of one student, as they come back from JSON."""
+
+
+class ValueKindError(KinegradeError):
+    """A value is not of the declared kind."""
+
+
+class Kind:
+    """A kind of answer: data that an exercise declares, and what a sheet, a record and a proof ask of it.
+
+    A new kind is a file here and one in grader/kinds. What is the same for most kinds stands in this class.
+    """
+
+    @property
+    def form(self) -> str:
+        """The form of an answer in a few words, beside its blank on a sheet."""
+        raise NotImplementedError
+
+    @property
+    def self_check(self) -> tuple[str, Any]:
+        """What the cell that checks a sheet without this package looks for: a word and a shape or a count."""
+        raise NotImplementedError
+
+    @property
+    def asked_beside(self) -> str:
+        """A sentence that stands behind the question; empty where the kind has none."""
+        return ""
+
+    @property
+    def array_shape(self) -> tuple[int, ...]:
+        """The shape in which an array of numbers would be handed in."""
+        return ()
+
+    def declared(self, value: Any, v: Variant) -> Any:
+        """The value as its kind: an array, `Table`, `ExpressionArray`, letter, tuple of conditions, function, text.
+
+        Raises:
+            ValueKindError: it is none; the sentence says what it takes.
+            ExpressionError: a formula is in other names.
+        """
+        raise NotImplementedError
+
+    def pictured(self, value: Any, v: Variant) -> NDArray[np.float64] | None:
+        """Numbers that a declared value comes to, for records; None for what is marked by hand."""
+        raise NotImplementedError
+
+    def rounded(self, value: Any) -> Any:
+        """The value to the decimals that are asked; what is not numbers stays as it is."""
+        return value
+
+    def blank(self, variable: str) -> str:
+        """Python of the answer's cell as it is handed out."""
+        return f"{variable} = ...  # {self.form}"
+
+    def code(self, variable: str, value: Any) -> str:
+        """Python that assigns a declared value in full."""
+        return f"{variable} = {value!r}"
+
+    def matlab(self, stacked: str) -> tuple[str, str]:
+        """An empty value in MATLAB and the comment behind it; `stacked` says which rows of a Jacobian come first."""
+        raise NotImplementedError
+
+
+def sized(shape: tuple[int, ...], what: str) -> str:
+    """A shape in words: "3 x 2 numbers", "one number"."""
+    if not shape:
+        return f"one {what}"
+    return f"{' x '.join(map(str, shape))} {what}s"
+
+
+def listed_rows(rows: list[Any]) -> str:
+    """Python of a list with a line for every row."""
+    lines = "".join(f"    {row!r},\n" for row in rows)
+    return f"[\n{lines}]"
+
+
+def finite(value: Any, shape: tuple[int, ...]) -> NDArray[np.float64]:
+    """The value as a finite real array of that shape. Raises ValueKindError."""
+    array = np.asarray(value, dtype=float)
+    if array.shape != shape:
+        raise ValueKindError(f"takes finite numbers of shape {shape}, got shape {array.shape}")
+    if not np.isfinite(array).all():
+        raise ValueKindError(
+            f"takes finite numbers of shape {shape}, got shape {shape} with NaN or infinity"
+        )
+    return array
+
+
+def array_code(variable: str, value: Any) -> str:
+    """Python that assigns an array with nine decimals, or a number."""
+    rounded = np.round(np.asarray(value), 9) + 0.0  # no -0.0
+    if not rounded.shape:
+        return f"{variable} = {float(rounded)!r}"
+    head = f"{variable} = np.array("
+    text = np.array2string(rounded, precision=9, separator=", ", threshold=10_000)
+    return head + text.replace("\n", "\n" + " " * len(head)) + ")"

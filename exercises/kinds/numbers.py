@@ -1,0 +1,80 @@
+"""Numbers: a real array with a unit for every entry."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .kind import Kind, Variant, array_code, finite, sized
+
+
+@dataclass(frozen=True)
+class Numbers(Kind):
+    """A real array. `units` are nested strings that broadcast to `shape`; `decimals` are asked of the student.
+
+    Its value is an array of that shape; of shape () it is one number.
+    """
+
+    shape: tuple[int, ...]
+    units: str | Sequence[Any] = "1"
+    decimals: int = 4
+
+    def unit_of_entries(self) -> NDArray[np.str_]:
+        """Units of shape `shape`: "m", "m/rad", "rad/s", "1" ..."""
+        return np.broadcast_to(np.array(self.units), self.shape)
+
+    @property
+    def has_blocks(self) -> bool:
+        """Whether there are six rows, three linear and three angular ones; six rates or torques [N m] are of joints."""
+        units = {str(unit) for unit in self.unit_of_entries().ravel()}
+        return self.shape[:1] == (6,) and (len(units) > 1 or units == {"1"})
+
+    @property
+    def form(self) -> str:
+        """As "6 x 3 numbers"."""
+        return sized(self.shape, "number")
+
+    @property
+    def self_check(self) -> tuple[str, Any]:
+        """With the shape."""
+        return "numbers", self.shape
+
+    @property
+    def asked_beside(self) -> str:
+        """The decimals."""
+        return f"Give {self.decimals} decimals." if self.decimals else ""
+
+    @property
+    def array_shape(self) -> tuple[int, ...]:
+        """Its own."""
+        return self.shape
+
+    def declared(self, value: Any, v: Variant) -> NDArray[np.float64]:
+        """A finite array of the shape."""
+        return finite(value, self.shape)
+
+    def pictured(self, value: Any, v: Variant) -> NDArray[np.float64]:
+        """The numbers themselves."""
+        return value
+
+    def rounded(self, value: Any) -> Any:
+        """To the asked decimals."""
+        return np.round(np.asarray(value), self.decimals)
+
+    def code(self, variable: str, value: Any) -> str:
+        """An array with nine decimals."""
+        return array_code(variable, value)
+
+    def matlab(self, stacked: str) -> tuple[str, str]:
+        """A matrix; several matrices are a cell array."""
+        decimals = f"{self.decimals} decimals"
+        if len(self.shape) > 2:
+            count, *inner = self.shape
+            matrices = (
+                f"{count} matrices of {' x '.join(map(str, inner))} numbers: {{first, second, ...}}"
+            )
+            return "{}", f"{matrices}; {decimals}"
+        rows = f", {stacked}" if self.has_blocks else ""
+        return "[]", f"{self.form}{rows}; {decimals}"

@@ -1,0 +1,83 @@
+"""A Denavit-Hartenberg table."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...solutions.expression_array import sample
+from ...solutions.table import Table
+from .kind import Kind, ValueKindError, Variant, listed_rows
+
+MATLAB_EXAMPLE = "{'q1 + pi', 0.25, 'd1', 'pi/3'; ...}"
+
+
+@dataclass(frozen=True)
+class TableOf(Kind):
+    """A Denavit-Hartenberg table with one row of theta, d, a, alpha per joint of `kinds`, such as "RRP".
+
+    Cells are expressions in `names` and q1 ... qn, or numbers; names that a variant lacks are unknown on its sheet.
+    Its value is a `Table`.
+    """
+
+    names: tuple[str, ...]
+    kinds: str
+    convention: Literal["standard", "modified"] = "standard"
+    decimals: int = 3
+
+    @property
+    def form(self) -> str:
+        """The rows and their columns."""
+        return f"{len(self.kinds)} rows [theta, d, a, alpha]"
+
+    @property
+    def self_check(self) -> tuple[str, Any]:
+        """With the number of rows."""
+        return "table", len(self.kinds)
+
+    @property
+    def array_shape(self) -> tuple[int, ...]:
+        """A row for every joint."""
+        return (len(self.kinds), 4)
+
+    def declared(self, value: Any, v: Variant) -> Table:
+        """A `Table`."""
+        if not isinstance(value, Table):
+            raise ValueKindError(f"takes a Table, got {type(value).__name__}")
+        return value
+
+    def pictured(self, value: Table, v: Variant) -> NDArray[np.float64]:
+        """The cells at the variant's q, or at fixed joint values where none is drawn."""
+        return table_numbers(value, v, posture(value.joints, v))
+
+    def code(self, variable: str, value: Table) -> str:
+        """Rows of text."""
+        return f"{variable} = {listed_rows(table_text(value))}"
+
+    def matlab(self, stacked: str) -> tuple[str, str]:
+        """A cell array of text and numbers."""
+        return "{}", f"{len(self.kinds)} rows theta, d, a, alpha, such as {MATLAB_EXAMPLE}"
+
+
+def table_text(table: Table) -> list[list[str]]:
+    """The cells of a table as text that is read back."""
+    return [list(map(str, row)) for row in table.rows]
+
+
+def table_numbers(table: Table, v: Variant, q: Any) -> NDArray[np.float64]:
+    """Cells (..., n, 4) of a table with the variant's lengths at q (..., n)."""
+    joints = np.asarray(q, dtype=float)
+    values: dict[str, Any] = {name: x for name, x in v.items() if isinstance(x, int | float)}
+    for i, name in enumerate(table.joints):
+        values[name] = joints[..., i]
+    return table.numbers(values)
+
+
+def posture(joints: Sequence[str], v: Variant) -> NDArray[np.float64]:
+    """The variant's q (n,); where none is drawn, values that are the same for everybody."""
+    if "q" in v:
+        return np.asarray(v["q"], dtype=float)
+    values = sample(joints, 1)
+    return np.array([values[joint][0] for joint in joints])

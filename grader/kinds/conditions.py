@@ -1,0 +1,62 @@
+"""Conditions on the joints."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from ...exercises.answers import Conditions, Variant
+from ...exercises.kinds.formulas import names_on_sheet
+from ...solutions.condition import Condition, condition_text, equations_of
+from ...solutions.expression import ExpressionError
+from ..collecting.wire import Raw
+from ..reading.arrays import flat_texts
+from ..reading.typed_equations import typed_equations
+from ..reading.unreadable import Unreadable, misread
+from .marker import Comparison, Marker, Wanted
+from .zero_sets import judge_conditions
+
+MOST_CONDITIONS, MOST_EQUATIONS = 32, 64
+
+
+def read_conditions(answer: Conditions, raw: Raw, v: Variant) -> tuple[Condition, ...]:
+    """Expressions that are zero where a condition holds, or several that are zero at once. Raises Unreadable."""
+    names = names_on_sheet(answer.names, v)
+    if raw.kind != "text":
+        got = "numbers" if raw.kind != "num" or raw.value.size else "nothing"
+        raise Unreadable(
+            f"takes a list of conditions in {', '.join(names)}, such as ['sin(q1) = 0'], got {got}"
+        )
+    texts, _ = flat_texts(raw.value)  # a file has them in a row or a column
+    found: list[Condition] = []
+    for text in texts:
+        if len(found) <= MOST_CONDITIONS:
+            found += _typed(text, names)
+    if not 1 <= len(found) <= MOST_CONDITIONS:
+        raise Unreadable(f"takes 1 to {MOST_CONDITIONS} conditions, got {len(found)}")
+    if (count := sum(len(equations_of(condition)) for condition in found)) > MOST_EQUATIONS:
+        raise Unreadable(f"takes up to {MOST_EQUATIONS} equations in all conditions, got {count}")
+    return tuple(found)
+
+
+def _typed(text: str, names: Sequence[str]) -> list[Condition]:
+    try:
+        return typed_equations(text, names)
+    except ExpressionError as error:
+        raise misread(error) from error
+
+
+def _compared(answer: Conditions, v: Variant, wanted: Wanted, value: Any) -> Comparison:
+    judged = judge_conditions(wanted.value, value, answer.domain(v), v)
+    return Comparison(np.array(judged.holds), judged.share, judged.findings)
+
+
+def _shown(value: Sequence[Condition]) -> list[str]:
+    return list(map(condition_text, value))
+
+
+def _handed_in(_: Conditions, value: Sequence[Condition], __: Variant) -> Raw:
+    return Raw("text", _shown(value))
+
+
+MARKER = Marker(read_conditions, _compared, _handed_in, shown=_shown)

@@ -1,0 +1,76 @@
+"""Functions: results of the calls of a notebook, or those that were handed in for published inputs."""
+
+import re
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...exercises.answers import Function, Results, Variant
+from ...exercises.kinds.results import Result
+from ..collecting.wire import Raw
+from ..reading.unreadable import UNANSWERED, Unreadable
+from .calls import accepted, agreeing, failed_calls, groups_of, said_of_groups, share_of_groups
+from .marker import Comparison, Marker, Wanted
+
+CALLED = re.compile(r"\Acall [0-9]+(?: stopped with|:)? ")  # groups number their calls anew
+NOTHING = "not a matrix of numbers: None"  # what the collector says of a call that returned None
+
+
+def read_results(answer: Function, raw: Raw, v: Variant) -> Results:
+    if raw.kind == "calls":
+        if all(result.kind == "error" and NOTHING in str(result.value) for result in raw.value):
+            raise Unreadable(f"{UNANSWERED}: the function returns nothing")
+        return Results(tuple(map(_result, raw.value)), raw.listed)
+    if raw.kind == "num" and answer.published and _are_results(raw.value, answer, v):
+        return Results(tuple(np.asarray(x, dtype=float) for x in raw.value), published=True)
+    raise Unreadable(
+        f"takes a function, def NAME{answer.signature}, got {'numbers' if raw.kind == 'num' else 'text'}"
+    )
+
+
+def _are_results(value: NDArray[np.float64], answer: Function, v: Variant) -> bool:
+    """Whether an array is a list of results of one shape; numbers alone are, where there are as many as calls."""
+    return value.ndim > 1 or value.shape == (len(answer.published_calls(v)),)
+
+
+def _result(raw: Raw) -> Result:
+    if raw.kind != "num":
+        return (
+            CALLED.sub("", str(raw.value), count=1)
+            if raw.kind == "error"
+            else "no matrix of numbers"
+        )
+    if np.iscomplexobj(raw.value):
+        return "complex numbers"
+    return np.asarray(raw.value, dtype=float) if np.isfinite(raw.value).all() else "NaN or infinity"
+
+
+def _compared(answer: Function, v: Variant, wanted: Wanted, value: Results) -> Comparison:
+    """Call by call; a group counts when all of its calls are right."""
+    groups = groups_of(answer, v, wanted.value, value)
+    right = agreeing(groups, answer.tolerance)
+    findings = said_of_groups(groups, right, answer.tolerance)
+    return Comparison(right, share_of_groups(groups, right), tuple(findings))
+
+
+def _checked(
+    answer: Function, v: Variant, wanted: Wanted, value: Results, right: Any
+) -> Comparison:
+    """By the flags of a part's own check, with why calls gave nothing to judge."""
+    groups = groups_of(answer, v, wanted.value, value)
+    flags = accepted(groups, right)
+    return Comparison(flags, share_of_groups(groups, flags), tuple(failed_calls(groups)))
+
+
+def _handed_in(answer: Function, value: Callable[..., Any], v: Variant) -> Raw:
+    results = [np.asarray(value(*call), dtype=float) for call in answer.calls(v)]
+    return Raw("calls", [Raw("num", result) for result in results])
+
+
+def _shown(_: Results) -> None:
+    """Nothing: what is right of it is said group by group."""
+
+
+MARKER = Marker(read_results, _compared, _handed_in, shown=_shown, checked=_checked)

@@ -1,0 +1,58 @@
+"""Every kind of answer and how it is marked."""
+
+from collections.abc import Mapping
+from types import MappingProxyType
+from typing import Any
+
+from ...exercises.answers import (
+    Answer,
+    Choice,
+    Conditions,
+    Configurations,
+    Formulas,
+    Function,
+    Manual,
+    Numbers,
+    TableOf,
+    Variant,
+)
+from ..collecting.wire import Raw
+from ..reading.unreadable import UNANSWERED, Unreadable
+from . import choice, conditions, configurations, formulas, function, manual, numbers, table
+from .marker import Marker
+
+MARKERS: Mapping[type[Answer], Marker] = MappingProxyType(
+    {
+        Numbers: numbers.MARKER,
+        TableOf: table.MARKER,
+        Formulas: formulas.MARKER,
+        Choice: choice.MARKER,
+        Conditions: conditions.MARKER,
+        Configurations: configurations.MARKER,
+        Function: function.MARKER,
+        Manual: manual.MARKER,
+    }
+)
+
+
+def marker_of(answer: Answer) -> Marker:
+    """How this kind is marked."""
+    return MARKERS[type(answer)]
+
+
+def read(answer: Answer, raw: Raw, v: Variant) -> Any:
+    """The student's answer as the declared kind: shape before anything else, then finite, then values.
+
+    Raises:
+        Unreadable: nothing was handed in, or it is of another kind or shape; the sentence says what was expected.
+    """
+    if raw.kind == "missing":
+        raise Unreadable(UNANSWERED)
+    if raw.kind == "error":
+        raise Unreadable(str(raw.value))
+    return marker_of(answer).read(answer, raw, v)
+
+
+def handed_in(answer: Answer, value: Any, v: Variant) -> Raw:
+    """The raw value that is read as this value; functions have been called on their inputs."""
+    return marker_of(answer).handed_in(answer, value, v)

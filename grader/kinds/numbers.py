@@ -1,0 +1,142 @@
+"""Numbers: arrays as they are, typed text with units, formulas without names."""
+
+import re
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...exercises.answers import Numbers, Variant
+from ..collecting.wire import Raw
+from ..reading.arrays import flat_texts, quantity, refuse_infinite, reshaped, typed_block
+from ..reading.unreadable import Unreadable, clip, entry_name
+from .marker import Array, Asked, Marker, Mask, Presentation, Wanted, is_trivial
+from .signs import said_of_signs
+
+LENGTH = re.compile(r"m(/.*)?")  # what is 1000 times as large in millimetres: no area, and no mass
+MOMENT = re.compile(r"N m(/.*)?")
+MILLIMETRES = "Lengths are 1000 times too large: metres are asked, not millimetres."
+CENTIMETRES = "Lengths are 100 times too large: metres are asked, not centimetres."
+NEWTON_MILLIMETRES = "Moments are 1000 times too large: N m are asked, not N mm."
+NEWTON_CENTIMETRES = "Moments are 100 times too large: N m are asked, not N cm."
+DEGREES = "Angles are in degrees: radians are asked."
+TAKEN_AS_DEGREES = (
+    "It is what comes out when the angles of q, given in radians, are taken as degrees."
+)
+
+
+def read_numbers(answer: Numbers, raw: Raw, _: Variant) -> Array:
+    """An array of the asked shape. Raises Unreadable."""
+    array = (
+        np.asarray(raw.value)
+        if raw.kind == "num"
+        else _typed_array(raw, answer.shape, answer.unit_of_entries())
+    )
+    if np.iscomplexobj(array):
+        raise Unreadable("takes real numbers, got complex ones")
+    array = reshaped(array, answer.shape)
+    refuse_infinite(array)
+    return array
+
+
+def _typed_array(raw: Raw, shape: tuple[int, ...], units: NDArray[np.str_]) -> Array:
+    """Numbers that were typed as text, each with or without its unit."""
+    text = raw.value
+    if raw.kind != "text":
+        raise Unreadable(f"takes numbers of shape {shape}, got {clip(raw.kind)}")
+    if isinstance(text, str) and shape:
+        return typed_block(text, f"numbers of shape {shape}")
+    entries, found = flat_texts(text)
+    reshaped(np.zeros(found), shape)  # refuses another shape
+    values = [
+        quantity(entry, str(unit), entry_name(where) if shape else "")
+        for entry, unit, where in zip(entries, units.ravel(), np.ndindex(shape), strict=True)
+    ]
+    return np.array(values, dtype=float).reshape(shape)
+
+
+def _compared(_: Numbers, __: Variant, wanted: Wanted, value: Array) -> Mask:
+    return np.less_equal(np.abs(value - wanted.value), wanted.allowed, dtype=bool)
+
+
+def _handed_in(_: Numbers, value: Any, __: Variant) -> Raw:
+    return Raw("num", np.asarray(value, dtype=float))
+
+
+def _shown(value: Any) -> Any:
+    return np.asarray(value).tolist()
+
+
+def _read_as(answer: Numbers, raw: Raw, value: Array) -> str:
+    """How a number that was typed as text with a unit was read."""
+    if answer.shape or raw.kind != "text":
+        return ""
+    unit = str(answer.unit_of_entries())
+    return f"Read as {float(value):.6g}{f' {unit}' if unit != '1' else ''}."
+
+
+def _trivial(_: Numbers, wanted: Wanted, __: Variant) -> Mask:
+    return is_trivial(np.asarray(wanted.value), wanted.allowed)
+
+
+def _arrays(asked: Asked, value: Array) -> list[tuple[Array, Array, Array]]:
+    return [(value, asked.wanted.value, asked.wanted.allowed)]
+
+
+def _in_other_units(answer: Numbers) -> tuple[Presentation, ...]:
+    """Lengths in millimetres or centimetres, moments with them, and angles in degrees."""
+    units = answer.unit_of_entries()
+    lengths = _matching(LENGTH, units)
+    with_moments = lengths | _matching(MOMENT, units)
+    angles = np.char.startswith(units, "rad")
+    millimetres, centimetres = MILLIMETRES, CENTIMETRES
+    if not lengths.any():
+        millimetres, centimetres = NEWTON_MILLIMETRES, NEWTON_CENTIMETRES
+    return (
+        Presentation(
+            lambda J: np.where(with_moments, 1000.0, 1.0) * J, millimetres, worthless=True
+        ),
+        Presentation(lambda J: np.where(with_moments, 100.0, 1.0) * J, centimetres, worthless=True),
+        Presentation(lambda J: np.where(angles, 180 / np.pi, 1.0) * J, DEGREES, worthless=True),
+    )
+
+
+def _matching(pattern: re.Pattern[str], units: NDArray[np.str_]) -> Mask:
+    found = [pattern.fullmatch(str(unit)) is not None for unit in units.ravel()]
+    return np.array(found, dtype=bool).reshape(units.shape)
+
+
+def _found(asked: Asked, value: Array, right: Mask) -> Iterator[str]:
+    wanted = asked.wanted
+    in_degrees = asked.in_degrees()
+    if in_degrees is not None and bool((np.abs(value - in_degrees) <= wanted.allowed).all()):
+        yield TAKEN_AS_DEGREES
+    elif _too_few_decimals(asked.answer, wanted.value, value):
+        yield f"It agrees after rounding to fewer decimals; {asked.answer.decimals} are asked."
+    else:
+        reversed_sign = np.abs(value + wanted.value) <= wanted.allowed
+        yield from said_of_signs(~right & reversed_sign, ~right)
+
+
+def _too_few_decimals(answer: Numbers, reference: Array, value: Array) -> bool:
+    for decimals in range(answer.decimals - 1, 0, -1):
+        rounded = np.abs(value - np.round(value, decimals)).max() < 1e-9
+        if rounded and np.abs(value - reference).max() <= 0.5001 * 10.0**-decimals:
+            return True
+    return False
+
+
+MARKER = Marker(
+    read_numbers,
+    _compared,
+    _handed_in,
+    shown=_shown,
+    read_as=_read_as,
+    trivial=_trivial,
+    varies=True,
+    arrays=_arrays,
+    has_blocks=lambda answer: answer.has_blocks,
+    in_other_units=_in_other_units,
+    found=_found,
+)

@@ -1,0 +1,135 @@
+"""Denavit-Hartenberg tables: formulas in the sheet's names, or numbers at the student's own q."""
+
+from typing import Any, cast
+
+import numpy as np
+
+from ...exercises.answers import TableOf, Variant
+from ...exercises.kinds.formulas import names_on_sheet
+from ...exercises.kinds.table import posture, table_numbers, table_text
+from ...exercises.properties import turned
+from ...solutions.errors import KinegradeError
+from ...solutions.expression import ExpressionError
+from ...solutions.table import COLUMNS, Table
+from ...solutions.table import read_table as table_of
+from ..collecting.wire import Raw
+from ..reading.typed import typed
+from ..reading.unreadable import Unreadable, clip, misread
+from .marker import Marker, Mask, Wanted, is_trivial
+
+THETA = 0
+ANGLES = (0, 3)  # columns theta and alpha of a table
+DUST = 1e-12
+SAME_ANGLE = 8e-3  # of a quarter turn, 0.7 degrees: two decimals of a radian are still the own q
+
+
+def read_table(answer: TableOf, raw: Raw, v: Variant) -> Table:
+    """The table, every cell of which has a value. Raises Unreadable."""
+    joints = tuple(f"q{i}" for i in range(1, len(answer.kinds) + 1))
+    names = tuple(name for name in names_on_sheet(answer.names, v) if name not in joints) + joints
+    rows = _cells(raw, (len(answer.kinds), 4))
+    cells = [
+        [_plain(cell, names, i, column) for column, cell in enumerate(row)]
+        for i, row in enumerate(rows)
+    ]
+    for i, (row, kind) in enumerate(zip(cells, answer.kinds, strict=True)):
+        _complete(row, "RP".index(kind), i, v)
+    try:
+        table = table_of(cells, names, answer.convention)
+        table_numbers(table, v, posture(joints, v))
+    except KinegradeError as error:
+        raise Unreadable(str(error)) from error
+    return table
+
+
+def _plain(cell: str, names: tuple[str, ...], row: int, column: int) -> str:
+    """A cell in the names of the table: np.pi is pi, rrt_d1 is d1, theta1 is q1."""
+    try:
+        return str(typed(cell, names))
+    except ExpressionError as error:
+        raise misread(error, f"row {row + 1}, {COLUMNS[column]}") from error
+
+
+def _cells(raw: Raw, shape: tuple[int, int]) -> list[list[str]]:
+    if raw.kind == "num":
+        array = raw.value
+        if array.shape == shape and np.isfinite(array).all() and not np.iscomplexobj(array):
+            return [[_typed(float(x)) for x in row] for row in array]
+        raise Unreadable(
+            f"takes a table of shape {shape}: theta, d, a, alpha for each joint, got {array.shape}"
+        )
+    given: Any = raw.value
+    if isinstance(given, str):
+        given = _typed_rows(given)
+    cells = cast("list[Any]", given) if isinstance(given, list) else []
+    if not cells or not all(isinstance(row, list) for row in cells):
+        raise Unreadable(f"takes a list of {shape[0]} rows, got {clip(raw.value)}")
+    counts = [len(row) for row in cells]
+    if counts != [shape[1]] * shape[0]:
+        raise Unreadable(
+            f"takes {shape[0]} rows of theta, d, a, alpha, got rows of {clip(counts)} cells"
+        )
+    return [[_cell(cell) for cell in row] for row in cells]
+
+
+def _typed_rows(text: str) -> list[list[str]]:
+    """A table in one string, such as "[[q1, d1, 0, pi/2], ...]", cut into cells; what they mean is read later."""
+    rows = [row.split(",") for row in text.strip().strip("[]").replace("\n", "").split("],")]
+    return [[cell.strip().strip("[]").strip() for cell in row] for row in rows]
+
+
+def _cell(cell: Any) -> str:
+    try:
+        return _typed(float(cell))
+    except (TypeError, ValueError, OverflowError):
+        return cell if isinstance(cell, str) else str(cell)
+
+
+def _typed(number: float) -> str:
+    """A number as text; cos(pi/2) is 6e-17 and means zero."""
+    return repr(0.0 if abs(number) < DUST else number)
+
+
+def _complete(row: list[str], at: int, joint: int, v: Variant) -> None:
+    """A number where the joint variable belongs is read as the value at the student's q.
+
+    In theta it may differ from q by quarter turns, the offsets that tables have; anything else is another q. Where the
+    sheet gives no q, a number says nothing of the joint variable.
+    """
+    try:
+        number = float(row[at])
+    except ValueError:
+        return
+    if "q" not in v:
+        raise Unreadable(f"row {joint + 1}, {COLUMNS[at]}: takes q{joint + 1}, got {clip(row[at])}")
+    offset = number - v["q"][joint]
+    turns = offset / (np.pi / 2)
+    if at == THETA and abs(turns - round(turns)) > SAME_ANGLE:
+        raise Unreadable(
+            f"row {joint + 1}, theta: takes q{joint + 1}, or your value of it, got {clip(row[at])}"
+        )
+    if np.isfinite(offset):
+        row[at] = f"q{joint + 1} + ({_typed(round(offset, 9))})"
+
+
+def _compared(answer: TableOf, v: Variant, wanted: Wanted, value: Table) -> Mask:
+    """Cells that have the reference's value at three configurations; angles count modulo a full turn."""
+    half = 0.5 * 10.0**-answer.decimals
+    allowed = np.array([4 * half, 6 * half, 6 * half, 4 * half])
+    q = np.random.default_rng(0).uniform(-1, 1, (3, len(answer.kinds)))
+    difference = table_numbers(value, v, q) - table_numbers(wanted.value, v, q)
+    difference[..., ANGLES] = turned(difference[..., ANGLES])
+    return np.less_equal(np.abs(difference).max(axis=0), allowed, dtype=bool)
+
+
+def _handed_in(_: TableOf, value: Table, __: Variant) -> Raw:
+    return Raw("text", table_text(value))
+
+
+def _trivial(answer: TableOf, wanted: Wanted, v: Variant) -> Mask:
+    return is_trivial(answer.pictured(wanted.value, v), 0.0)
+
+
+MARKER = Marker(
+    read_table, _compared, _handed_in, shown=table_text, trivial=_trivial, varies=True, by_rows=True
+)

@@ -1,0 +1,134 @@
+"""What one variant's answers are compared with: reference, tolerance and the entries that carry points, made once."""
+
+import json
+from dataclasses import replace
+from functools import cached_property, lru_cache, wraps
+from typing import Any
+
+import numpy as np
+
+from ...exercises.answers import Numbers, Variant
+from ...exercises.exercise import Exercise, Given, Part, references, solve
+from ..kinds.marker import Mask, Wanted
+from ..kinds.markers import marker_of
+from .tolerance import tolerance
+
+SAMPLE = 12  # draws that decide which entries vary between students
+
+
+def remembering(value: Any) -> Any:
+    """A function that is called once for each of its inputs; any other value as it is."""
+    if not callable(value):
+        return value
+    results: dict[str, Any] = {}
+
+    @wraps(value)
+    def remembered(*call: Any) -> Any:
+        name = json.dumps(
+            call, default=_plain
+        )  # repr() leaves out what is in the middle of an array
+        if name not in results:
+            results[name] = value(*call)
+        return results[name]
+
+    return remembered
+
+
+def _plain(value: Any) -> Any:
+    return value.tolist() if hasattr(value, "tolist") else repr(value)
+
+
+class AnswerKey:
+    """The key of one exercise for one variant; what costs time is computed when it is asked for, and kept."""
+
+    def __init__(self, exercise: Exercise, v: Variant) -> None:
+        """Solves all parts. Raises ExerciseError where the exercise breaks its own declaration."""
+        self.exercise, self.v = exercise, v
+        self.reference = {
+            name: remembering(value) for name, value in references(exercise, v).items()
+        }
+        self._wanted: dict[str, Wanted] = {}
+        self._mistaken: dict[str, list[tuple[str, Wanted]]] = {}
+        self._earning: dict[str, Mask] = {}
+
+    def wanted(self, part: Part) -> Wanted:
+        """What follows from the reference answers."""
+        if part.variable not in self._wanted:
+            given = {name: self.reference[name] for name in part.needs}
+            self._wanted[part.variable] = self._with_tolerance(
+                part, self.reference[part.variable], given
+            )
+        return self._wanted[part.variable]
+
+    def mistaken(self, part: Part, wanted: Wanted) -> list[tuple[str, Wanted]]:
+        """The sentence of each known mistake, and what it leads to from the same earlier answers."""
+        if wanted is not self._wanted.get(part.variable):
+            return self._mistakes(part, wanted)
+        if part.variable not in self._mistaken:
+            self._mistaken[part.variable] = self._mistakes(part, wanted)
+        return self._mistaken[part.variable]
+
+    def _mistakes(self, part: Part, wanted: Wanted) -> list[tuple[str, Wanted]]:
+        return [
+            (
+                mistake.sentence,
+                replace(wanted, value=remembering(part.answer.declared(value, self.v))),
+            )
+            for mistake in part.mistakes
+            for value in [mistake.solve(self.v, wanted.given)]
+        ]
+
+    @cached_property
+    def in_degrees(self) -> dict[str, Any]:
+        """Answers of somebody who takes every printed angle for degrees; empty where nothing follows from such."""
+        converted = dict(self.v)
+        for name, unit in self.exercise.units.items():
+            units = np.array(unit)
+            if name in self.v and (units == "rad").any():
+                numbers = np.asarray(self.v[name], dtype=float)
+                converted[name] = np.where(units == "rad", np.radians(numbers), numbers).tolist()
+        try:
+            return references(self.exercise, converted)
+        except Exception:  # noqa: BLE001 - an exercise may refuse such angles in any way; then it is no explanation
+            return {}
+
+    def following(self, part: Part, given: Given) -> Wanted:
+        """What follows from other earlier answers. Raises whatever `solve` makes of them."""
+        return self._with_tolerance(part, solve(self.exercise.slug, part, self.v, given), given)
+
+    def _with_tolerance(self, part: Part, value: Any, given: Given) -> Wanted:
+        if not isinstance(part.answer, Numbers):
+            return Wanted(remembering(value), given, np.zeros(0))
+        return Wanted(value, given, tolerance(self.exercise, part, self.v, given, value))
+
+    def earning(self, part: Part) -> Mask:
+        """Entries of numbers, tables and formulas that carry points.
+
+        They vary between students and are none of -1, 0, 1 for this one: a Jacobian is full of structural zeros and
+        ones, so that a matrix of zeros agrees with many of its entries. A formula is told by its names.
+        """
+        if part.variable not in self._earning:
+            self._earning[part.variable] = self._earning_entries(part)
+        return self._earning[part.variable]
+
+    def _earning_entries(self, part: Part) -> Mask:
+        marker = marker_of(part.answer)
+        earning = ~marker.trivial(part.answer, self.wanted(part), self.v)
+        if marker.varies:
+            earning &= varying(self.exercise)[part.variable]
+        return earning if earning.any() else np.ones_like(earning)
+
+
+@lru_cache(maxsize=64)
+def varying(exercise: Exercise) -> dict[str, Mask]:
+    """Entries of every part of numbers or tables that differ between draws."""
+    variants: list[Variant] = [exercise.draw(np.random.default_rng(seed)) for seed in range(SAMPLE)]
+    answers = [references(exercise, v) for v in variants]
+    found: dict[str, Mask] = {}
+    for part in exercise.asked:
+        if not marker_of(part.answer).varies:
+            continue
+        drawn = zip(answers, variants, strict=True)
+        pictures = [part.answer.pictured(answer[part.variable], v) for answer, v in drawn]
+        found[part.variable] = np.asarray(np.ptp(np.array(pictures), axis=0) > 1e-6)
+    return found

@@ -1,0 +1,81 @@
+"""What can be said of answers without the key: readable, of the asked shape, and fitting each other."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+
+from ...exercises.exercise import Exercise, Manual, Part, Variant
+from ..collecting.wire import Raw
+from ..kinds.markers import read
+from ..reading.unreadable import Unreadable
+from .answer_key import AnswerKey
+from .judge import judged
+
+Mode = Literal["practice", "graded", "exam"]
+
+
+@dataclass(frozen=True)
+class Remark:
+    """One sentence on one part; `ok` is False when the student should look again."""
+
+    part: str
+    ok: bool
+    text: str
+
+
+def remarks(
+    exercise: Exercise, v: Variant, raws: Mapping[str, Raw], *, consistency: bool
+) -> Iterator[Remark]:
+    """A remark on every asked part; with `consistency`, also whether it follows from the student's earlier answers.
+
+    The latter checks the student's J against the student's own T (S0, eq. 4.11) and uses no reference answer.
+    """
+    key = AnswerKey(exercise, v)
+    answers: dict[str, Any] = {}
+    for part in exercise.asked:
+        raw = raws.get(part.variable, Raw("missing"))
+        if isinstance(part.answer, Manual):
+            text = (
+                "is on paper"
+                if part.answer.on_paper
+                else "is there"
+                if raw.kind == "text"
+                else "not answered"
+            )
+            yield Remark(
+                part.variable, ok=text != "not answered", text=f"{text}; it is marked by hand"
+            )
+            continue
+        if raw.kind == "unasked":
+            yield Remark(part.variable, ok=True, text=f"not checked: {raw.value}")
+            continue
+        try:
+            answers[part.variable] = read(part.answer, raw, v)
+        except Unreadable as error:
+            yield Remark(part.variable, ok=False, text=str(error))
+            continue
+        if consistency and part.needs and all(need in answers for need in part.needs):
+            yield _fits(key, part, answers)
+        else:
+            yield Remark(part.variable, ok=True, text="can be read")
+
+
+def _fits(key: AnswerKey, part: Part, answers: Mapping[str, Any]) -> Remark:
+    own = {need: answers[need] for need in part.needs}
+    names = " and ".join(own)
+    try:
+        with np.errstate(all="ignore"):
+            right = judged(key, part, key.following(part, own), answers[part.variable]).all_right
+    except Exception:  # noqa: BLE001 - whatever a student's earlier answer does to solve(), nothing follows from it
+        return Remark(
+            part.variable,
+            ok=True,
+            text=f"can be read; nothing follows from your {names} to compare it with",
+        )
+    if right:
+        return Remark(part.variable, ok=True, text=f"can be read and follows from your own {names}")
+    return Remark(
+        part.variable, ok=False, text=f"can be read, but does not follow from your own {names}"
+    )

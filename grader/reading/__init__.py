@@ -1,0 +1,1 @@
+"""What students type, read without ever being run: formulas, matrices, equations, quantities."""

@@ -1,0 +1,1 @@
+"""Closed forms: polynomials in sines and cosines, and what they factor into."""

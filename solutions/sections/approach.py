@@ -1,0 +1,87 @@
+"""Postures that bring the tool to wanted points of a section, within the joint limits."""
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..chain import Chain
+from ..jacobian import jacobian
+from ..kinematics import forward
+from ..singularity import Arm, Values
+
+STEPS = 14
+
+
+def approached(
+    part: Arm, free: tuple[int, ...], axes: tuple[str, str], q: Values, wanted: Values
+) -> tuple[Values, Values]:
+    """Joint values (m, k) of the free joints that start at `q`, and what is still missing (m, 2) to the points [m].
+
+    Damped Gauss-Newton steps; a joint at its limit that would leave it is held there for the step. The joints that
+    are not free stand at zero.
+    """
+    low, high = np.transpose([part.limits[i] for i in free])
+    low, high = (
+        low + 1e-6 * (high - low),
+        high - 1e-6 * (high - low),
+    )  # on axis 1 itself r has no derivative
+    q, ranges = np.clip(q, low, high), high - low
+    for _ in range(STEPS):
+        gap, gain = _gap(part, free, axes, q, wanted)
+        gain *= ranges  # steps are shares of the joints' ranges, whatever their units
+        step = _solved(gain, gap)
+        stuck = ((q <= low) & (step < 0)) | ((q >= high) & (step > 0))
+        step = np.where(
+            stuck.any(axis=1, keepdims=True),
+            _solved(np.where(stuck[:, None], 0.0, gain), gap),
+            step,
+        )
+        q = np.clip(q + np.clip(step, -0.1, 0.1) * ranges, low, high)
+    return q, _gap(part, free, axes, q, wanted)[0]
+
+
+def in_axis_frame(chain: Chain, q: ArrayLike) -> Values:
+    """The tool (..., 3) in the frame of axis 1, slid along the axis until it is level with the base origin [m]."""
+    origin, rotation = chain.fixed[0][:3, 3], chain.fixed[0][:3, :3]
+    foot = origin - rotation[:, 2] * (rotation[:, 2] @ origin)
+    return (forward(chain, q)[..., :3, 3] - foot) @ rotation
+
+
+def projected(p: Values, axes: tuple[str, str]) -> Values:
+    """Coordinates (..., 2) in the section of points (..., 3) in the frame of axis 1."""
+    return (
+        p[..., :2]
+        if axes == ("x", "y")
+        else np.stack([np.hypot(p[..., 0], p[..., 1]), p[..., 2]], axis=-1)
+    )
+
+
+def configurations(n: int, free: tuple[int, ...], values: Values) -> Values:
+    """Configurations (..., n) with these values (..., k) of the free joints, the others at zero."""
+    q = np.zeros((*values.shape[:-1], n))
+    q[..., free] = values
+    return q
+
+
+def _gap(
+    part: Arm, free: tuple[int, ...], axes: tuple[str, str], q: Values, wanted: Values
+) -> tuple[Values, Values]:
+    """What is missing (m, 2) to the wanted points, and the derivative (m, 2, k) of the points by the joints."""
+    full = configurations(part.chain.n, free, q)
+    p = in_axis_frame(part.chain, full)
+    turned = part.chain.fixed[0][:3, :3].T @ jacobian(part.chain, full)[:, :3][:, :, list(free)]
+    at = projected(p, axes)
+    if axes == ("x", "y"):
+        return wanted - at, turned[:, :2]
+    outward = (p[:, :2, None] * turned[:, :2]).sum(axis=1) / np.maximum(at[:, :1], 1e-12)
+    return wanted - at, np.stack([outward, turned[:, 2]], axis=1)
+
+
+def _solved(gain: Values, gap: Values) -> Values:
+    """Damped least squares, which a singular gain does not upset."""
+    transposed = np.swapaxes(gain, 1, 2)
+    square = transposed @ gain
+    size = np.trace(square, axis1=1, axis2=2) + np.finfo(np.float64).tiny
+    square += 1e-9 * size[:, None, None] * np.eye(gain.shape[-1])
+    return np.asarray(
+        np.linalg.solve(square, transposed @ gap[..., None])[..., 0], dtype=np.float64
+    )
