@@ -143,6 +143,31 @@ def test_imports_point_one_way(path):
     ] == []
 
 
+def room_of(module):
+    """The room of a module, such as exercises/kinds for exercises/kinds/numbers."""
+    folder, _, _ = module.rpartition("/")
+    return ROOM_OF.get(module, folder)
+
+
+def rooms_imported(path):
+    """Rooms that a file imports from; names of modules in a folder count for the folder."""
+    for name in imported(path):
+        module = "/".join(name.split(".")[1:])
+        if name.startswith("kinegrade."):
+            yield room_of(module) if (ROOT / f"{module}.py").exists() else module
+
+
+@pytest.mark.parametrize("path", [path for path in MODULES if path.name != "__init__.py"], ids=str)
+def test_arrows_run_only_between_the_rooms_that_say_so(path):
+    room = room_of(str(path.with_suffix("")))
+    assert set(rooms_imported(path)) - ROOMS[room] - {room} == set()
+
+
+def test_every_folder_is_a_room():
+    rooms = {room_of(str(path.with_suffix(""))) for path in MODULES if path.name != "__init__.py"}
+    assert rooms == set(ROOMS)
+
+
 @pytest.mark.parametrize(
     "path", [path for path in MODULES if path.parent.name == "catalogue"], ids=str
 )
