@@ -1,9 +1,9 @@
-# `make demo` shows the whole path, `make test` proves it, `make validate` proves the exercises. Each builds .venv when
-# it is missing.
+# `make demo` shows the whole path, `make test` proves it, `make validate` proves the exercises, and `make density`
+# prints how dense the code is. Each builds .venv when it is missing.
 PYTHON ?= python3
 BIN := .venv/bin
 
-.PHONY: demo test validate clean
+.PHONY: demo test validate density clean
 
 demo: .venv/product
 	$(BIN)/kinegrade demo
@@ -17,6 +17,9 @@ test: .venv/tests
 validate: .venv/product
 	$(BIN)/kinegrade validate --draws 100
 
+density: .venv/density
+	$(BIN)/python benchmarks/density.py
+
 .venv/bin/python:
 	$(PYTHON) -m venv .venv || { rm -rf .venv; echo "python3 3.11 or newer with venv is needed (Debian and Ubuntu: apt install python3-venv)"; exit 1; }
 
@@ -26,6 +29,10 @@ validate: .venv/product
 
 .venv/tests: .venv/product
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt --editable '.[test]'
+	touch $@
+
+.venv/density: .venv/bin/python pyproject.toml constraints.txt
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt radon
 	touch $@
 
 clean:

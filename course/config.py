@@ -6,13 +6,12 @@ import re
 import tomllib
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from difflib import get_close_matches
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
-from ..solutions.errors import KinegradeError
+from ..solutions.errors import KinegradeError, did_you_mean
 
 Mode = Literal["practice", "graded", "exam"]
 SAFE_NAME = re.compile(r"[A-Za-z0-9]([A-Za-z0-9._-]{0,62}[A-Za-z0-9_-])?")
@@ -95,7 +94,7 @@ class Course:
         for name in names:
             if name not in known:
                 raise CourseError(
-                    f"there is no sheet {name!r}{nearest(name, known)}; course.toml has: {', '.join(known)}"
+                    f"there is no sheet {name!r}{hint(name, known)}; course.toml has: {', '.join(known)}"
                 )
         return tuple(known[name] for name in names) or self.settings.sheet
 
@@ -146,7 +145,7 @@ def _sentence(error: Any) -> str:
     where = ".".join(str(step + 1) if isinstance(step, int) else str(step) for step in error["loc"])
     if error["type"] == "extra_forbidden":
         keys = _valid_keys(error["loc"][:-1])
-        return f"unknown key {where!r}{nearest(str(error['loc'][-1]), keys)}; valid here: {', '.join(keys)}"
+        return f"unknown key {where!r}{hint(str(error['loc'][-1]), keys)}; valid here: {', '.join(keys)}"
     if error["type"] == "missing":
         return f"the key {where!r} is missing"
     return f"{where}: {error['msg'][:1].lower()}{error['msg'][1:]}, got {_shown(error['loc'], error['input'])}"
@@ -163,10 +162,10 @@ def _valid_keys(where: tuple[Any, ...]) -> list[str]:
     return list(table.model_fields)
 
 
-def nearest(name: str, known: Iterable[str]) -> str:
-    """A question that names the nearest valid name, or nothing."""
-    near = get_close_matches(name, [*known], 1)
-    return f" (did you mean {near[0]!r}?)" if near else ""
+def hint(name: str, known: Iterable[str]) -> str:
+    """The question for the nearest valid name in brackets, or nothing."""
+    question = did_you_mean(name, known)
+    return f" ({question})" if question else ""
 
 
 def read_roster(path: Path) -> Iterator[Student]:

@@ -18,7 +18,7 @@ from .escape import printable
 from .files import write_atomically
 from .formulas import number, page_text
 from .grading import Result
-from .tables import MARKS, points_text, remark, status
+from .tables import MARKS, remark, result_text, status
 
 
 def write_feedback(
@@ -42,7 +42,7 @@ def write_feedback(
         course=course.settings.title,
         sheet=sheet.title or sheet.name,
         student=result.student,
-        points=points_text(result),
+        points=result_text(result),
         waiting=status(result) == "not_graded",
         blocks=blocks,
     )
@@ -142,7 +142,7 @@ def _sheet_block(
             if result.verdicts
             else "",
             "cells": [_cell(result, part) for part in parts],
-            "points": points_text(result),
+            "points": result_text(result),
             "remark": remark(result, public=True),
             "private": sorted(
                 {f.text for verdict in result.verdicts for f in verdict.findings if f.private}

@@ -8,7 +8,7 @@ from pathlib import Path
 from ..exercises.exercise import Exercise
 from ..exercises.files.finding import exercise_files, find
 from .check import read_handout
-from .config import Course, CourseError, Sheet, Student, nearest
+from .config import Course, CourseError, Sheet, Student, hint
 from .files import write_atomically
 from .gradebook import Gradebook
 from .secret import read_secret
@@ -52,13 +52,13 @@ def _check_pins(sheet: Sheet, exercises: Mapping[str, Exercise]) -> None:
     for slug, pins in sheet.pinned.items():
         if slug not in exercises:
             raise CourseError(
-                f"sheet {sheet.name} pins {slug!r}{nearest(slug, exercises)}, which is not on the sheet"
+                f"sheet {sheet.name} pins {slug!r}{hint(slug, exercises)}, which is not on the sheet"
             )
         structure = exercises[slug].structure
         for name in pins:
             if name not in structure:
                 raise CourseError(
-                    f"sheet {sheet.name} pins {name!r} of {slug}{nearest(name, structure)}; its choices of form are: "
+                    f"sheet {sheet.name} pins {name!r} of {slug}{hint(name, structure)}; its choices of form are: "
                     f"{', '.join(structure) or 'none'}"
                 )
 

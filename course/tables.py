@@ -46,7 +46,7 @@ def terminal_table(results: Sequence[Result], exercises: Sequence[Exercise]) -> 
             for exercise in exercises
         ]
         table.add_row(
-            result.student.id, *shown, points_text(result), Text(printable(remark(result)))
+            result.student.id, *shown, result_text(result), Text(printable(remark(result)))
         )
     return table
 
@@ -77,7 +77,7 @@ def legend() -> str:
     return "   ".join(f"{mark} {STATUS_WORDS[status]}" for status, mark in MARKS.items())  # pyright: ignore[reportArgumentType]
 
 
-def points_text(result: Result) -> str:
+def result_text(result: Result) -> str:
     """Points of a result, or what stands in their place."""
     if result.points is not None:
         return f"{result.points:g} / {result.out_of:g}"

@@ -25,11 +25,11 @@ decorator stands above the function - and `v` stands for all drawn numbers.
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from difflib import get_close_matches
 from typing import Any
 
 import numpy as np
 
+from ..solutions.errors import nearest
 from ..solutions.robot import Robot
 from ..solutions.robots import ROBOTS
 from .answers import Answer, TableOf, Variant
@@ -221,8 +221,8 @@ def _checked(
         v = draw(rng)
         for name in v:
             if name not in names.drawn:
-                near = get_close_matches(name, names.drawn, 1)
-                hint = f"; is {near[0]!r} there meant for it?" if near else ""
+                near = nearest(name, names.drawn)
+                hint = f"; is {near!r} there meant for it?" if near else ""
                 raise ExerciseError(
                     f"exercise {names.slug}: draw returns {name!r}, which stands neither in units (printed) nor in "
                     f"hidden nor in structure{hint}"

@@ -2,12 +2,11 @@
 
 import math
 from collections.abc import Mapping
-from difflib import get_close_matches
 from fractions import Fraction
 from types import MappingProxyType
 from typing import NamedTuple
 
-from ..solutions.errors import KinegradeError
+from ..solutions.errors import KinegradeError, nearest
 
 
 class UnitError(KinegradeError):
@@ -65,11 +64,9 @@ def refuse_unknown_unit(unit: object) -> None:
         raise UnitError(f"a unit takes text such as 'm', got {unit!r}")
     if unit in UNITS:
         return
-    nearest = (
-        SPELLINGS.get(unit) or _abbreviated(unit) or get_close_matches(unit, UNITS, 1, cutoff=0)[0]
-    )
+    near = SPELLINGS.get(unit) or _abbreviated(unit) or nearest(unit, UNITS, cutoff=0)
     raise UnitError(
-        f"unknown unit {unit!r}; the nearest is {nearest!r}, and kinegrade.exercises.units lists all"
+        f"unknown unit {unit!r}; the nearest is {near!r}, and kinegrade.exercises.units lists all"
     )
 
 

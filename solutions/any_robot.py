@@ -7,7 +7,7 @@ from typing import Literal
 
 from .analytic import RepresentationError, angles_from_rotation
 from .chain import Array, Chain
-from .robot import LINEAR, Robot, Step
+from .robot import LINEAR, Motion, Robot
 from .table import read_table
 from .urdf import read_urdf
 
@@ -93,7 +93,7 @@ def _task(kinds: str) -> tuple[int, ...]:
     return LINEAR if len(kinds) <= 3 else ALL
 
 
-def _steps(transform: Array) -> list[Step]:
+def _steps(transform: Array) -> list[Motion]:
     """Elementary motions, first along and then about the axes, whose product is a transform (4, 4)."""
     along = zip(("Tx", "Ty", "Tz"), transform[:3, 3], strict=True)
     try:

@@ -6,11 +6,11 @@ import numpy as np
 
 from .chain import Array, Chain
 
-Joint = tuple[str, Array]  # "R" or "P", and the frame (4, 4) whose z is the joint's axis
+PlacedJoint = tuple[str, Array]  # "R" or "P", and the frame (4, 4) whose z is the joint's axis
 SHORT = 0.5  # what is left of x across an axis; below it the frame would lose digits
 
 
-def assembled(moves: Iterable[Array | Joint]) -> Chain:
+def assembled(moves: Iterable[Array | PlacedJoint]) -> Chain:
     """Chain of moves in order, each a constant transform (4, 4) or a joint A E(q) A^-1, given as its kind and A.
 
     Raises ChainError.

@@ -1,5 +1,20 @@
-"""The one base exception."""
+"""The one base exception, and the question that helps with a name that nobody knows."""
+
+import difflib
+from collections.abc import Iterable
 
 
 class KinegradeError(Exception):
     """A sentence for the instructor: what, where, and what would be right."""
+
+
+def nearest(name: str, known: Iterable[str], cutoff: float = 0.6) -> str:
+    """The known name that is spelled most like this one; empty where none comes near."""
+    found = difflib.get_close_matches(name, list(known), 1, cutoff=cutoff)
+    return found[0] if found else ""
+
+
+def did_you_mean(name: str, known: Iterable[str]) -> str:
+    """A question with the nearest known name, such as "did you mean 'q1'?"; empty where none comes near."""
+    near = nearest(name, known)
+    return f"did you mean {near!r}?" if near else ""

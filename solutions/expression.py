@@ -1,6 +1,5 @@
 """One type for formulas: robot rows, course files, typed answers."""
 
-import difflib
 import math
 import operator
 import re
@@ -12,6 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from .errors import nearest
 from .tokens import SIZE, ExpressionError, Token, number, refusing, tokens_of
 
 Node = tuple[str, *tuple[Any, ...]]  # ("n", 2.0) | ("s", "q1") | ("sin", i) | ("*", i, j)
@@ -217,8 +217,8 @@ class _Parser:
             return self.node(offset, "s", name)
         called = self.next.text == "("
         known = list(CALLED) if called else [*sorted(self.names), "pi"]
-        nearest = difflib.get_close_matches(name[:40], known, 1, cutoff=0.5)
-        hint = f"did you mean {nearest[0]}?" if nearest else f"known: {', '.join(known)}"
+        near = nearest(name[:40], known, cutoff=0.5)
+        hint = f"did you mean {near}?" if near else f"known: {', '.join(known)}"
         raise ExpressionError(
             f"unknown {'function' if called else 'name'} '{name[:40]}'; {hint}", offset
         )

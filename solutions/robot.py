@@ -1,6 +1,5 @@
 """A robot: rows of formulas in named parameters and joints, and what is computed from them."""
 
-import difflib
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -11,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .chain import Array, Chain, configuration, elementary, from_frames, one_configuration, product
-from .errors import KinegradeError
+from .errors import KinegradeError, nearest
 from .expression import Expression, parse
 from .limits import Outside, outside
 from .table import Table, read_table
@@ -19,7 +18,7 @@ from .table import Table, read_table
 if TYPE_CHECKING:
     from .symbolic import ClosedForm
 
-Step = tuple[str, str]  # a motion and its amount: ("Tz", "L"), ("Rz", "q1")
+Motion = tuple[str, str]  # a motion and its amount: ("Tz", "L"), ("Rz", "q1")
 LINEAR = (0, 1, 2)
 STANDARD = (
     ("Rz", 0),
@@ -57,12 +56,12 @@ class Robot:
     name: str
     title: str
     parameters: Mapping[str, float]
-    rows: Sequence[Sequence[str]] | Sequence[Sequence[Step]]
+    rows: Sequence[Sequence[str]] | Sequence[Sequence[Motion]]
     limits: tuple[tuple[float, float], ...]
     source: str
     convention: Literal["standard", "modified", "frames"] = "standard"
-    base: tuple[Step, ...] = ()
-    tool: tuple[Step, ...] = ()
+    base: tuple[Motion, ...] = ()
+    tool: tuple[Motion, ...] = ()
     task_rows: tuple[int, ...] = LINEAR
     factors: tuple[Factor, ...] = ()
     constant: str = "1"
@@ -211,7 +210,7 @@ class Robot:
         ]
         return from_frames(np.array(placements), self.kinds, offsets[-1] @ tool)
 
-    def _motions(self, steps: Sequence[Step]) -> tuple[tuple[str, Expression], ...]:
+    def _motions(self, steps: Sequence[Motion]) -> tuple[tuple[str, Expression], ...]:
         return tuple((motion, parse(amount, self.names)) for motion, amount in steps)
 
 
@@ -229,5 +228,5 @@ def unknown(what: str, name: str, valid: Mapping[str, object]) -> str:
     """Sentence for a name that is none of the valid ones, with the nearest of them."""
     if not valid:
         return f"{what} takes no name, got {name!r}"
-    nearest = difflib.get_close_matches(str(name), list(valid), 1, cutoff=0)
-    return f"{what} takes one of {', '.join(valid)}, got {name!r}; the nearest is {nearest[0]!r}"
+    near = nearest(str(name), valid, cutoff=0)
+    return f"{what} takes one of {', '.join(valid)}, got {name!r}; the nearest is {near!r}"

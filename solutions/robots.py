@@ -2,9 +2,9 @@
 
 import math
 
-from .robot import Factor, Robot, RobotError, Step, unknown
+from .robot import Factor, Motion, Robot, RobotError, unknown
 
-__all__ = ["ROBOTS", "Factor", "Robot", "RobotError", "Step", "robot"]
+__all__ = ["ROBOTS", "Factor", "Motion", "Robot", "RobotError", "robot"]
 
 DEGREE = math.pi / 180
 TURN = (-180, 180)

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .axes import Joint, along, assembled
+from .axes import PlacedJoint, along, assembled
 from .chain import Array, Chain, ChainError, reals
 from .jacobian import jacobian
 from .kinematics import forward
@@ -29,7 +29,7 @@ def from_screws(screws: ArrayLike, home: ArrayLike, kinds: str | None = None) ->
     tool = reals("home", home)
     if tool.shape != (4, 4):
         raise ChainError(f"home takes shape (4, 4), got {tool.shape}")
-    joints = list[Joint]()
+    joints = list[PlacedJoint]()
     point, rotation = np.zeros(3), np.eye(3)
     for i, row in enumerate(rows):
         frame = _axis(i, row, point, rotation)

@@ -31,7 +31,7 @@ class SingularityError(KinegradeError):
 
 
 @dataclass(frozen=True, eq=False)
-class Arm:
+class RegionalArm:
     """The joints whose singularities are drawn: a whole short robot, or the three that carry a wrist centre.
 
     Attributes:
@@ -92,21 +92,21 @@ def manipulability(block: ArrayLike) -> Values:
     return values.prod(axis=-1)
 
 
-def arm(robot: "Robot", parameters: Parameters = None) -> Arm:
+def arm(robot: "Robot", parameters: Parameters = None) -> RegionalArm:
     """The joints that carry the wrist centre if the last three axes meet in a point, else the whole robot."""
     chain = robot.chain(parameters)
     centre = _wrist_centre(chain)
     if centre is None:
-        return Arm(chain, robot.task_rows, robot.limits, robot.factors, "tool")
+        return RegionalArm(chain, robot.task_rows, robot.limits, robot.factors, "tool")
     tool = chain.fixed[3].copy()
     tool[:3, 3] += centre * tool[:3, 2]
     carried = Chain(np.concatenate([chain.fixed[:3], tool[None]]), chain.kinds[:3])
     wrist = {"q4", "q5", "q6"}
     factors = tuple(f for f in robot.factors if not wrist & parse(f.expression, robot.names).names)
-    return Arm(carried, (0, 1, 2), robot.limits[:3], factors, "wrist centre")
+    return RegionalArm(carried, (0, 1, 2), robot.limits[:3], factors, "wrist centre")
 
 
-def task_block(of: Arm, q: ArrayLike) -> Values:
+def task_block(of: RegionalArm, q: ArrayLike) -> Values:
     """The task rows (..., m, n) of the Jacobian of an arm at q (..., n), base frame."""
     return jacobian(of.chain, q)[..., of.rows, :]
 

@@ -6,12 +6,12 @@ from typing import Any
 
 import numpy as np
 
-from .axes import Joint, along, assembled
+from .axes import PlacedJoint, along, assembled
 from .chain import Array, Chain, elementary, modified_transform, reals, standard_transform
 from .errors import KinegradeError
 
 AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
-Moves = list[Array | Joint]
+Moves = list[Array | PlacedJoint]
 
 
 class ToolboxError(KinegradeError):
@@ -53,7 +53,7 @@ def _row_moves(link: Any) -> Moves:
     revolute = not link.sigma
     theta, d = (offset, _number(link, "d")) if revolute else (_number(link, "theta"), offset)
     flipped = bool(getattr(link, "isflip", False))
-    joint: Joint = ("R" if revolute else "P", elementary("Rx", np.pi if flipped else 0.0))
+    joint: PlacedJoint = ("R" if revolute else "P", elementary("Rx", np.pi if flipped else 0.0))
     if link.mdh:
         return [
             modified_transform([0.0, 0.0, a, alpha]),
@@ -82,7 +82,7 @@ def _element_moves(elements: Iterable[Any]) -> Moves:
     return moves
 
 
-def _joint(element: Any) -> Joint:
+def _joint(element: Any) -> PlacedJoint:
     # `kind` is called `axis` up to 1.3, and 1.4 warns about the old name
     name = str(element.kind if hasattr(element, "kind") else element.axis)
     if len(name) != 2 or name[0] not in "Rt" or name[1] not in AXES:

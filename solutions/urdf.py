@@ -8,7 +8,7 @@ from xml.etree import ElementTree as ET
 
 import numpy as np
 
-from .axes import Joint, along, assembled
+from .axes import PlacedJoint, along, assembled
 from .chain import Array, Chain, steps_transform
 from .errors import KinegradeError
 
@@ -165,7 +165,7 @@ def _kind(joint: ET.Element) -> str:
     return KINDS.get(kind, "")
 
 
-def _moves(joint: ET.Element) -> list[Array | Joint]:
+def _moves(joint: ET.Element) -> list[Array | PlacedJoint]:
     origin = joint.find("origin")
     x, y, z = _three(joint, origin, "xyz", "0 0 0")
     roll, pitch, yaw = _three(joint, origin, "rpy", "0 0 0")

@@ -12,7 +12,7 @@ from .kinematics import forward
 from .sections.approach import approached, configurations, in_axis_frame, projected
 from .sections.barriers import barriers
 from .sections.cells import Extent, beside_empty, filled, raster, spread
-from .singularity import Arm, Parameters, Values, arm, sigma_min, task_block, zero_set
+from .singularity import Parameters, RegionalArm, Values, arm, sigma_min, task_block, zero_set
 
 if TYPE_CHECKING:
     from .robots import Robot
@@ -112,7 +112,7 @@ def section(robot: "Robot", parameters: Parameters = None, *, cells: int = 320) 
     )
 
 
-def _plane(part: Arm) -> tuple[tuple[str, str], tuple[int, ...]]:
+def _plane(part: RegionalArm) -> tuple[tuple[str, str], tuple[int, ...]]:
     """The coordinates of the section and the joints that change something in it."""
     q = spread(part, 64)
     reached = in_axis_frame(part.chain, q)
@@ -123,7 +123,7 @@ def _plane(part: Arm) -> tuple[tuple[str, str], tuple[int, ...]]:
     return axes, tuple(i for i in range(first, part.chain.n) if _matters(part, i, axes, q))
 
 
-def _matters(part: Arm, joint: int, axes: tuple[str, str], q: Values) -> bool:
+def _matters(part: RegionalArm, joint: int, axes: tuple[str, str], q: Values) -> bool:
     """Whether a joint moves the tool in the section or changes sigma_min: the last of a SCARA does neither."""
     turned = q.copy()
     turned[:, joint] = q[::-1, joint]
@@ -143,7 +143,7 @@ def _interpolation(count: int, finer: int) -> Values:
 
 
 def _singular_curves(
-    robot: "Robot", parameters: Parameters, part: Arm, free: tuple[int, ...]
+    robot: "Robot", parameters: Parameters, part: RegionalArm, free: tuple[int, ...]
 ) -> list[tuple[str, Values]]:
     ranges = [part.limits[i] for i in free]
     return [
@@ -154,7 +154,7 @@ def _singular_curves(
 
 
 def _barrier_curves(
-    part: Arm, axes: tuple[str, str], free: tuple[int, ...], image: Values, extent: Extent
+    part: RegionalArm, axes: tuple[str, str], free: tuple[int, ...], image: Values, extent: Extent
 ) -> tuple[Curve, ...]:
     lines = [(LIMITS if held else SINGULAR, q) for held, q in barriers(part, axes, free)]
     points = [projected(in_axis_frame(part.chain, q), axes) for _, q in lines]
@@ -164,7 +164,7 @@ def _barrier_curves(
     )
 
 
-def _limit_curves(part: Arm, free: tuple[int, ...]) -> list[tuple[str, Values]]:
+def _limit_curves(part: RegionalArm, free: tuple[int, ...]) -> list[tuple[str, Values]]:
     curves: list[tuple[str, Values]] = []
     for held, swept in (free, free[::-1]):
         low, high = part.limits[held]
@@ -178,7 +178,7 @@ def _limit_curves(part: Arm, free: tuple[int, ...]) -> list[tuple[str, Values]]:
 
 
 def _on_boundary(
-    part: Arm, free: tuple[int, ...], axes: tuple[str, str], points: Values
+    part: RegionalArm, free: tuple[int, ...], axes: tuple[str, str], points: Values
 ) -> NDArray[np.bool_]:
     """Whether the tool misses one of the two points just beside a curve, for each of its points."""
     size = float(np.ptp(points, axis=0).max())
@@ -206,7 +206,9 @@ def _on_boundary(
     return boundary
 
 
-def _distance(part: Arm, free: tuple[int, ...], axes: tuple[str, str], targets: Values) -> Values:
+def _distance(
+    part: RegionalArm, free: tuple[int, ...], axes: tuple[str, str], targets: Values
+) -> Values:
     """How near the tool gets to each target (m, 2) of the section within the joint limits [m].
 
     Gauss-Newton steps start at every local minimum of the distance over a grid of the two joints: one per posture.
@@ -231,7 +233,7 @@ def _distance(part: Arm, free: tuple[int, ...], axes: tuple[str, str], targets: 
     return nearest
 
 
-def _least(value: Callable[[Values], Values], part: Arm) -> float:
+def _least(value: Callable[[Values], Values], part: RegionalArm) -> float:
     """The minimum of a function over the joint limits: a grid that closes in on its best point."""
     low, high = (np.asarray(side, dtype=np.float64) for side in np.transpose(part.limits))
     count = max(5, int(60_000 ** (1 / part.chain.n)))

@@ -8,7 +8,7 @@ from kinegrade.solutions.robots import ROBOTS, Robot
 from kinegrade.solutions.sections.approach import in_axis_frame, projected
 from kinegrade.solutions.sections.barriers import CELL, STEP, barriers
 from kinegrade.solutions.sections.cells import beside_empty
-from kinegrade.solutions.singularity import Arm, Values, arm
+from kinegrade.solutions.singularity import RegionalArm, Values, arm
 from kinegrade.solutions.workspace import _plane
 
 NAMES = ("planar_3r", "articulated_6r", "ur5", "panda")
@@ -19,11 +19,11 @@ FOUND = {name: barriers(PARTS[name], *AXES[name]) for name in NAMES}
 names = pytest.mark.parametrize("name", NAMES)
 
 
-def seen(part: Arm, axes: tuple[str, str], q: Values) -> Values:
+def seen(part: RegionalArm, axes: tuple[str, str], q: Values) -> Values:
     return projected(in_axis_frame(part.chain, q), axes)
 
 
-def slopes(part: Arm, axes: tuple[str, str], q: Values) -> Values:
+def slopes(part: RegionalArm, axes: tuple[str, str], q: Values) -> Values:
     """Derivatives (m, 2, n) of the tool in the section, by central differences."""
     steps = 1e-6 * np.eye(part.chain.n)
     columns = [(seen(part, axes, q + step) - seen(part, axes, q - step)) / 2e-6 for step in steps]

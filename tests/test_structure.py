@@ -64,7 +64,10 @@ ROOM_OF = {
     "exercises/part": "exercises/part",
     "course/cli": "course/command",
     **dict.fromkeys(
-        [f"course/{name}" for name in ("config", "console", "escape", "files", "formulas")],
+        [
+            f"course/{name}"
+            for name in ("config", "console", "escape", "files", "formulas", "words")
+        ],
         "course/ground",
     ),
 }

@@ -12,7 +12,7 @@ from kinegrade.course.tables import (
     MARKS,
     grades_csv,
     legend,
-    points_text,
+    result_text,
     remark,
     results_json,
     status,
@@ -112,7 +112,7 @@ def test_a_remark_is_shown_as_text_and_never_obeyed(tmp_path, text, color):
     ],
 )
 def test_what_waits_is_never_a_zero(verdicts, points, word):
-    assert points_text(result(*verdicts)) == points
+    assert result_text(result(*verdicts)) == points
     assert status(result(*verdicts)) == word
 
 

@@ -16,7 +16,8 @@ from ..drawn import drawn
 from ..escape import no_markup
 from ..markdown import markdown_html
 from ..pages import feedback_block, template
-from ..sheet.notebook import given_cell, points_text, prompt_text, question_text, worked_steps
+from ..sheet.notebook import given_cell, prompt_text, question_text, worked_steps
+from ..words import points_text
 
 
 def preview_page(exercise: Exercise, seed: int) -> str:

@@ -11,6 +11,7 @@ from ...exercises.exercise import Exercise, Part, Rows
 from ...exercises.kinds.manual import is_on_paper
 from ..config import SCRIPT_NAME, CourseError, Sheet, Student
 from ..escape import printable
+from ..words import points_text
 
 Pair = tuple[Exercise, dict[str, Any]]
 WIDTH = 100
@@ -44,7 +45,7 @@ def starter(course: str, sheet: Sheet, student: Student, pairs: Sequence[Pair]) 
             )
     lines = [*_heading(course, sheet, student), ""]
     for number, (exercise, v) in enumerate(pairs, 1):
-        lines += [f"%% {number}. {_one_line(exercise.title)} ({_points(exercise.points)})"]
+        lines += [f"%% {number}. {_one_line(exercise.title)} ({points_text(exercise.points)})"]
         lines += [*_statement(exercise, sheet, v), *_given(exercise, v), ""]
         for part in exercise.asked:
             lines += [*_blank(part, (exercise, v)), ""]
@@ -176,7 +177,7 @@ def _char(text: str) -> str:
 
 def _blank(part: Part, pair: Pair) -> Iterator[str]:
     """Comments and a blank for one part."""
-    head = f"{part.variable} ({_points(part.points)})"
+    head = f"{part.variable} ({points_text(part.points)})"
     yield from _comment(f"{head}: {part.prompt}." if _readable(part.prompt) else head)
     answer, (exercise, v) = part.answer, pair
     if is_on_paper(answer):
@@ -236,7 +237,3 @@ def _comment(text: str) -> Iterator[str]:
 
 def _one_line(text: str) -> str:
     return printable(" ".join(text.split()))
-
-
-def _points(points: float) -> str:
-    return f"{points:g} point" if points == 1 else f"{points:g} points"

@@ -26,6 +26,7 @@ from ...solutions.expression import latex_name
 from ..config import Sheet, Student
 from ..escape import no_markup
 from ..formulas import closed_form, given_number, matrix
+from ..words import points_text
 from .self_check import self_check
 
 Pair = tuple[Exercise, dict[str, Any]]
@@ -240,11 +241,6 @@ def _symbol(name: str, value: Any) -> str:
         return latex_name(name)
     bold = rf"\boldsymbol{{{stem}}}" if stem.startswith("\\") else rf"\mathbf{{{stem}}}"
     return "".join([bold, index, *rest])
-
-
-def points_text(points: float) -> str:
-    """Points in words."""
-    return f"{points:g} point" if points == 1 else f"{points:g} points"
 
 
 def _figures(drawings: Sequence[Drawing]) -> tuple[str, ...]:

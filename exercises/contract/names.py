@@ -3,11 +3,11 @@
 import inspect
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
-from difflib import get_close_matches
 from typing import Any, cast
 
 import numpy as np
 
+from ...solutions.errors import did_you_mean
 from ..answers import Variant
 from ..arm import Arm
 from ..exercise import ExerciseError
@@ -103,9 +103,8 @@ class Names:
     def _unknown(self, name: str, known: Collection[str]) -> str:
         if name == "arm":
             return "but the exercise has no robot"
-        near = get_close_matches(name, known, 1)
-        hint = f"did you mean {near[0]!r}? " if near else ""
-        return f"which is no name on the sheet; {hint}here stand: {', '.join(sorted(known))}"
+        hints = [did_you_mean(name, known), f"here stand: {', '.join(sorted(known))}"]
+        return f"which is no name on the sheet; {' '.join(filter(None, hints))}"
 
 
 def as_array(value: Any) -> Any:

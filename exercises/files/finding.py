@@ -1,8 +1,8 @@
 """Finding exercise files, ours and a course's own."""
 
-from difflib import get_close_matches
 from pathlib import Path
 
+from ...solutions.errors import did_you_mean
 from ..exercise import Exercise, ExerciseError
 from .loading import EXERCISE_WANTED, load
 from .neighbours import content_hash, defines_exercise
@@ -50,6 +50,5 @@ def find(slug: str, files: dict[str, Path], *folders: Path) -> Exercise:
     for folder in folders:
         if (folder / f"{slug}.py").is_file():
             raise ExerciseError(f"{folder / slug}.py defines no exercise: {EXERCISE_WANTED}")
-    near = get_close_matches(slug, files, 1)
-    hint = f"did you mean {near[0]!r}? " if near else ""
-    raise ExerciseError(f"there is no exercise {slug!r}; {hint}known: {', '.join(sorted(files))}")
+    hints = [did_you_mean(slug, files), f"known: {', '.join(sorted(files))}"]
+    raise ExerciseError(f"there is no exercise {slug!r}; {' '.join(filter(None, hints))}")

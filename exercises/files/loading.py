@@ -7,7 +7,6 @@ Such a module is known to the files that import it and to nobody else, so that t
 import builtins
 import hashlib
 import sys
-from difflib import get_close_matches
 from importlib.abc import SourceLoader
 from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
@@ -15,7 +14,7 @@ from threading import RLock
 from types import ModuleType, TracebackType
 from typing import Any
 
-from ...solutions.errors import KinegradeError
+from ...solutions.errors import KinegradeError, nearest
 from ..exercise import Exercise, ExerciseError
 from .neighbours import HOME, Source, imported, is_ours, read_source
 
@@ -156,8 +155,8 @@ def _import_hint(error: ImportError, source: Source) -> str:
         return (
             f"; {missing}.py is an exercise, and what exercises share takes a file without EXERCISE"
         )
-    near = get_close_matches(missing, others, 1)
-    return f"; did you mean {near[0]!r}, which lies beside it?" if near else ""
+    near = nearest(missing, others)
+    return f"; did you mean {near!r}, which lies beside it?" if near else ""
 
 
 def _instead(module: ModuleType) -> str:

@@ -9,7 +9,7 @@ import numpy as np
 from ...exercises.drawing import Dimension, Drawing, Triad
 from .depth import Array, every_pixel, norm, outside, spaced, span_inside, unit
 from .labels import Label, symbol_of
-from .pose import Arm, Joint, last_step, pose
+from .pose import DrawnArm, DrawnJoint, last_step, pose
 from .scene import Scene, n, pair
 
 LINK, ROD, BASE, GRIPPER = "#7d8896", "#c3ccd6", "#4a5361", "#39404a"
@@ -48,7 +48,7 @@ def compose(drawing: Drawing, width: float) -> Scene:
     return scene
 
 
-def _body(scene: Scene, joint: Joint) -> Array:
+def _body(scene: Scene, joint: DrawnJoint) -> Array:
     """Draws the joint's body; its half-spaces are returned."""
     css, group = f"joint {CLASS[joint.kind]}", f"joint {joint.index + 1}"
     if joint.kind == "P":
@@ -60,7 +60,7 @@ def _body(scene: Scene, joint: Joint) -> Array:
     )
 
 
-def _base(scene: Scene, arm: Arm, bodies: Sequence[Array], up: Array) -> None:
+def _base(scene: Scene, arm: DrawnArm, bodies: Sequence[Array], up: Array) -> None:
     """Draws the base plate under the base frame and under the joints that sit there, and the column on it."""
     foot, r = arm.paths[0][0], arm.radius
     drop = 0.0
@@ -83,7 +83,7 @@ def _base(scene: Scene, arm: Arm, bodies: Sequence[Array], up: Array) -> None:
     _pipe(scene, [top, *arm.paths[0]], 0.5 * r, [*bodies, plate], colour=LINK, group="base link")
 
 
-def _link(scene: Scene, arm: Arm, joint: Joint, bodies: Sequence[Array]) -> None:
+def _link(scene: Scene, arm: DrawnArm, joint: DrawnJoint, bodies: Sequence[Array]) -> None:
     """Draws the link behind `joint`; a prismatic joint's slides out of its body."""
     path, following = (
         arm.paths[joint.index + 1],
@@ -138,7 +138,7 @@ def _pipe(
             scene.tube(start, end, radius, colour=colour, css="link", group=group, rounded=rounded)
 
 
-def _hand(scene: Scene, arm: Arm, bodies: Sequence[Array]) -> Array:
+def _hand(scene: Scene, arm: DrawnArm, bodies: Sequence[Array]) -> Array:
     """Draws a gripper along the last link, or along the tool's z axis if there is none.
 
     Its finger tips, whose middle (3,) is returned, are at the tool point, or before the last body if the tool point
@@ -169,7 +169,7 @@ def _hand(scene: Scene, arm: Arm, bodies: Sequence[Array]) -> Array:
     return palm + arm.grip * ahead
 
 
-def _axis(scene: Scene, joint: Joint, bodies: Sequence[Array]) -> None:
+def _axis(scene: Scene, joint: DrawnJoint, bodies: Sequence[Array]) -> None:
     """Draws the joint's axis on both sides of its body, dash-dotted, and over the links that run along it."""
     for outward in (-joint.axis, joint.axis):
         cap = joint.centre + joint.half * outward
@@ -190,7 +190,7 @@ def _axis(scene: Scene, joint: Joint, bodies: Sequence[Array]) -> None:
             )
 
 
-def _sense(scene: Scene, joint: Joint, *, arrows: bool) -> None:
+def _sense(scene: Scene, joint: DrawnJoint, *, arrows: bool) -> None:
     """Draws the arrow of the joint's positive sense and puts its label there, or else at the axis or the body."""
     centre, flat = joint.centre[:2], joint.axis[:2]
     if arrows:
@@ -208,7 +208,7 @@ def _sense(scene: Scene, joint: Joint, *, arrows: bool) -> None:
     )
 
 
-def _turning(scene: Scene, joint: Joint) -> Array:
+def _turning(scene: Scene, joint: DrawnJoint) -> Array:
     """Draws a curved arrow round a revolute axis where there is room; points (k, 2) on it are returned."""
     x, y, z = joint.axes.T
     # The gap is behind; the head comes round to the front.
@@ -240,7 +240,7 @@ def _turning(scene: Scene, joint: Joint) -> Array:
     return ring[[38, 26, 18, 10, 0], :2]
 
 
-def _sliding(scene: Scene, joint: Joint) -> Array:
+def _sliding(scene: Scene, joint: DrawnJoint) -> Array:
     """Draws a straight arrow along a prismatic axis beside its body; points (k, 2) on it are returned."""
     flat = (
         unit(joint.axis[:2]) if hypot(joint.axis[0], joint.axis[1]) > 0.05 else np.array([1.0, 0.0])
@@ -288,7 +288,7 @@ def _arrow(scene: Scene, start: Array, end: Array, thick: float, *, colour: str,
     )
 
 
-def _triad(scene: Scene, arm: Arm, triad: Triad, tips: Array) -> None:
+def _triad(scene: Scene, arm: DrawnArm, triad: Triad, tips: Array) -> None:
     """Draws a frame as three arrows named x, y and z; at the tool they reach past the finger `tips`."""
     origin, axes = arm.view.points(triad.pose[:3, 3]), arm.view.turn @ triad.pose[:3, :3]
     length = max(3.6 * arm.radius, 34.0)
@@ -302,7 +302,7 @@ def _triad(scene: Scene, arm: Arm, triad: Triad, tips: Array) -> None:
         )
 
 
-def _dimension(scene: Scene, arm: Arm, dimension: Dimension) -> None:
+def _dimension(scene: Scene, arm: DrawnArm, dimension: Dimension) -> None:
     """Draws a dimension line beside what it measures; between points too close for it the arrows stand outside."""
     a, b = (
         arm.view.points(np.array(p, dtype=np.float64))[:2] for p in (dimension.start, dimension.end)

@@ -16,8 +16,8 @@ from matplotlib.figure import Figure
 from ...solutions.errors import KinegradeError
 from ...solutions.expression import latex_name, parse
 from ...solutions.singularity import (
-    Arm,
     Parameters,
+    RegionalArm,
     Values,
     arm,
     factor_values,
@@ -130,7 +130,7 @@ def _found(robot: "Robot", values: tuple[tuple[str, float], ...]) -> tuple[Joint
     return joint_map(robot, dict(values)), section(robot, dict(values))
 
 
-def _span(part: Arm, joint: int) -> tuple[float, float]:
+def _span(part: RegionalArm, joint: int) -> tuple[float, float]:
     low, high = part.limits[joint]
     if part.chain.kinds[joint] == "R":
         return -np.pi, np.pi
@@ -216,13 +216,13 @@ def _where(found: JointMap, lines: tuple[Values, ...]) -> str:
     return "a curve across the map" if lines else "nowhere on the map"
 
 
-def _value(part: Arm, joint: int, value: float) -> str:
+def _value(part: RegionalArm, joint: int, value: float) -> str:
     turn = part.chain.kinds[joint] == "R" and abs(abs(value) - np.pi) < 1e-9
     value = 0.0 if abs(value) < 1e-9 else np.pi if turn else value
     return f"{np.degrees(value):.4g}°" if part.chain.kinds[joint] == "R" else f"{value:.3g} m"
 
 
-def _walls(part: Arm, cut: Section) -> str:
+def _walls(part: RegionalArm, cut: Section) -> str:
     found = {curve.name for curve in cut.curves}
     factors = (
         [] if SINGULAR in found else [short(f.name) for f in part.factors]

@@ -15,7 +15,7 @@ from matplotlib.transforms import ScaledTranslation, Transform
 from numpy.typing import NDArray
 
 from ...solutions.expression import latex_name
-from ...solutions.singularity import Arm, Values
+from ...solutions.singularity import RegionalArm, Values
 from ...solutions.workspace import LIMITS, SINGULAR, Section
 
 if TYPE_CHECKING:
@@ -46,7 +46,7 @@ ROWS = ("v_x", "v_y", "v_z", r"\omega_x", r"\omega_y", r"\omega_z")
 class JointMap:
     """sigma_min and det of the task block over a plane of two joints, with each factor's own zero curves."""
 
-    part: Arm
+    part: RegionalArm
     free: tuple[int, int]
     spans: tuple[tuple[float, float], tuple[float, float]]
     held: Values
@@ -129,7 +129,7 @@ def _draw_limits(ax: "Axes", found: JointMap) -> list:
     )
 
 
-def _shut(part: Arm, joint: int, span: tuple[float, float]) -> list[tuple[float, float]]:
+def _shut(part: RegionalArm, joint: int, span: tuple[float, float]) -> list[tuple[float, float]]:
     """The intervals of a map's axis that a joint cannot reach."""
     low, high = part.limits[joint]
     turns = (-1, 0, 1) if part.chain.kinds[joint] == "R" else (0,)
@@ -338,7 +338,7 @@ def sign_rule(found: JointMap) -> str:
     return f"{rule}, but not across {' and '.join(touched)}." if touched else f"{rule}."
 
 
-def sigma_unit(part: Arm) -> str:
+def sigma_unit(part: RegionalArm) -> str:
     """The unit of the block's singular values."""
     if max(part.rows) > 2:
         return "(mixed units)"

@@ -27,8 +27,8 @@ class View:
 
 
 @dataclass(frozen=True, eq=False)
-class Joint:
-    """Joint `index` (from 0) in camera coordinates: its frame, and where its body sits on its axis."""
+class DrawnJoint:
+    """DrawnJoint `index` (from 0) in camera coordinates: its frame, and where its body sits on its axis."""
 
     index: int
     kind: str
@@ -49,7 +49,7 @@ class Joint:
 
 
 @dataclass(frozen=True, eq=False)
-class Arm:
+class DrawnArm:
     """An arm in camera coordinates.
 
     `paths[0]` leads from the base to joint 1 and `paths[i]` from joint i to the next or the tool: along the z axis
@@ -58,7 +58,7 @@ class Arm:
 
     view: View
     paths: list[Array]
-    joints: list[Joint]
+    joints: list[DrawnJoint]
     tool: Array
     radius: float
 
@@ -73,7 +73,7 @@ class Arm:
         return 1.4 * self.radius
 
 
-def pose(drawing: Drawing, width: float) -> Arm:
+def pose(drawing: Drawing, width: float) -> DrawnArm:
     """The arm of `drawing` in camera coordinates, as large as the picture allows."""
     poses = frames(drawing.chain, np.asarray(drawing.q, dtype=np.float64))
     origins = np.vstack([np.zeros(3), poses[:, :3, 3]])
@@ -86,7 +86,7 @@ def pose(drawing: Drawing, width: float) -> Arm:
     size = width / 420
     radius = float(np.clip(0.115 * length / len(kinds), 8.5 * size, 13 * size))
     joints = _seated(kinds, paths, view.turn @ poses[:-1, :3, :3], radius)
-    return Arm(view, paths, joints, view.turn @ poses[-1, :3, :3], radius)
+    return DrawnArm(view, paths, joints, view.turn @ poses[-1, :3, :3], radius)
 
 
 def camera(azimuth: float, elevation: float) -> Array:
@@ -128,21 +128,21 @@ def _fitted(drawing: Drawing, points: Array, width: float) -> View:
     return View(turn, scale, np.array([-middle[0], -middle[1], 0.0]))
 
 
-def _seated(kinds: str, paths: list[Array], axes: Array, radius: float) -> list[Joint]:
+def _seated(kinds: str, paths: list[Array], axes: Array, radius: float) -> list[DrawnJoint]:
     """The joints with their bodies slid along their axes until they stand clear of one another.
 
     Joints that cannot move along a link of their own choose first; the rest make room.
     """
     spans = [_span(paths[i], paths[i + 1], axes[i, :, 2]) for i in range(len(kinds))]
     origins = np.array([path[0] for path in paths[1:]])
-    joints: list[Joint] = []
+    joints: list[DrawnJoint] = []
     for i, kind in enumerate(kinds):
         # The hand of an arm is finer than its shoulder, and a wrist finer still.
         crowd = int(np.sum(np.linalg.norm(origins - origins[i], axis=1) < 2.2 * radius))
         tight = crowd > 1 and spans[i][1] - spans[i][0] < 3 * radius
         size = radius * (1 - 0.28 * i / max(len(kinds) - 1, 1)) * (0.86 if tight else 1.0)
-        joints.append(Joint(i, kind, origins[i], axes[i], origins[i], size))
-    seated: dict[int, Joint] = {}
+        joints.append(DrawnJoint(i, kind, origins[i], axes[i], origins[i], size))
+    seated: dict[int, DrawnJoint] = {}
     for i in sorted(range(len(kinds)), key=lambda i: (spans[i][1] - spans[i][0] > GAP, i == 0, i)):
         seated[i] = _seat(joints[i], spans[i], list(seated.values()), late=i > (len(kinds) - 1) / 2)
     return [seated[i] for i in range(len(kinds))]
@@ -163,7 +163,9 @@ def last_step(path: Array, least: float = 0.5) -> Array:
     return next((step for step in steps if norm(step) > least), np.zeros(3))
 
 
-def _seat(joint: Joint, span: tuple[float, float], seated: Sequence[Joint], *, late: bool) -> Joint:
+def _seat(
+    joint: DrawnJoint, span: tuple[float, float], seated: Sequence[DrawnJoint], *, late: bool
+) -> DrawnJoint:
     """`joint` moved to the best place on its axis; off its `span`, a `late` joint gives way forwards."""
     reach = 7 * joint.radius
     t = np.concatenate([[0.0], spaced(span[0] - reach, span[1] + reach, 121), spaced(*span, 41)])

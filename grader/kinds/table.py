@@ -10,8 +10,7 @@ from ...exercises.kinds.table import posture, table_numbers, table_text
 from ...exercises.properties import turned
 from ...solutions.errors import KinegradeError
 from ...solutions.expression import ExpressionError
-from ...solutions.table import COLUMNS, Table
-from ...solutions.table import read_table as table_of
+from ...solutions.table import COLUMNS, Table, read_table
 from ..collecting.wire import Raw
 from ..reading.typed import typed
 from ..reading.unreadable import Unreadable, clip, misread
@@ -23,7 +22,7 @@ DUST = 1e-12
 SAME_ANGLE = 8e-3  # of a quarter turn, 0.7 degrees: two decimals of a radian are still the own q
 
 
-def read_table(answer: TableOf, raw: Raw, v: Variant) -> Table:
+def read_dh_table(answer: TableOf, raw: Raw, v: Variant) -> Table:
     """The table, every cell of which has a value. Raises Unreadable."""
     joints = tuple(f"q{i}" for i in range(1, len(answer.kinds) + 1))
     names = tuple(name for name in names_on_sheet(answer.names, v) if name not in joints) + joints
@@ -35,7 +34,7 @@ def read_table(answer: TableOf, raw: Raw, v: Variant) -> Table:
     for i, (row, kind) in enumerate(zip(cells, answer.kinds, strict=True)):
         _complete(row, "RP".index(kind), i, v)
     try:
-        table = table_of(cells, names, answer.convention)
+        table = read_table(cells, names, answer.convention)
         table_numbers(table, v, posture(joints, v))
     except KinegradeError as error:
         raise Unreadable(str(error)) from error
@@ -131,5 +130,11 @@ def _trivial(answer: TableOf, wanted: Wanted, v: Variant) -> Mask:
 
 
 MARKER = Marker(
-    read_table, _compared, _handed_in, shown=table_text, trivial=_trivial, varies=True, by_rows=True
+    read_dh_table,
+    _compared,
+    _handed_in,
+    shown=table_text,
+    trivial=_trivial,
+    varies=True,
+    by_rows=True,
 )

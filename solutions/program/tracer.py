@@ -5,7 +5,7 @@ from typing import Literal, NamedTuple
 
 from ..chain import Array, elementary
 
-Operation = Literal["multiply", "add", "subtract"]
+Operator = Literal["multiply", "add", "subtract"]
 
 
 class Signed(NamedTuple):
@@ -34,10 +34,10 @@ class Angle(NamedTuple):
         return Angle(tuple((-sign, joint) for sign, joint in self.joints), -self.shift)
 
 
-class Step(NamedTuple):
+class Operation(NamedTuple):
     """`target` = `left` operation `right`; operands are registers or floats."""
 
-    operation: Operation
+    operation: Operator
     left: str | float
     right: str | float
     target: str
@@ -51,7 +51,7 @@ class Tracer:
 
     def __init__(self, *, folds: bool = False) -> None:
         self.folds = folds
-        self.steps: list[Step] = []
+        self.steps: list[Operation] = []
         self.angles: list[Angle] = []
         self.seen: dict[tuple[str, str | float, str | float], str] = {}
 
@@ -116,11 +116,11 @@ class Tracer:
         c, s = Signed(f"c{index}"), Signed(f"s{index}", flip)
         return [[self.dot(r[:2], (c, s)), self.dot(r[:2], (negated(s), c)), r[2]] for r in rows]
 
-    def _step(self, operation: Operation, left: str | float, right: str | float) -> str:
+    def _step(self, operation: Operator, left: str | float, right: str | float) -> str:
         key = (operation, left, right)
         if key not in self.seen:
             self.seen[key] = f"r{len(self.seen)}"
-            self.steps.append(Step(operation, left, right, self.seen[key]))
+            self.steps.append(Operation(operation, left, right, self.seen[key]))
         return self.seen[key]
 
 

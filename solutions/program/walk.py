@@ -7,7 +7,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from ..chain import Array, Chain, elementary, snapped_transforms
-from .tracer import Angle, Rows, Signed, Step, Sum, Tracer, Value, Vector, negated, rotation
+from .tracer import Angle, Operation, Rows, Signed, Sum, Tracer, Value, Vector, negated, rotation
 
 Wanted = Literal["base", "tool", "pose", "frames"]
 
@@ -22,7 +22,7 @@ class Program:
     kinds: str
     angles: tuple[Sum, ...]
     shifts: tuple[float, ...]
-    steps: tuple[Step, ...]
+    steps: tuple[Operation, ...]
     outputs: tuple[Value, ...]
     shape: tuple[int, ...]
 
@@ -197,12 +197,12 @@ def _transform(R: Rows, p: Vector) -> Vector:
     return [x for row, t in zip(R, p, strict=True) for x in (*row, t)] + [0.0, 0.0, 0.0, 1.0]
 
 
-def _live(steps: Sequence[Step], outputs: Iterable[Value]) -> tuple[Step, ...]:
+def _live(steps: Sequence[Operation], outputs: Iterable[Value]) -> tuple[Operation, ...]:
     """The steps that outputs need, each just before its first use: so that few values wait at any time."""
-    made: dict[str | float, Step] = {step.target: step for step in steps}
+    made: dict[str | float, Operation] = {step.target: step for step in steps}
     waiting = list[str | float]()
     waiting += [x.name for x in outputs if isinstance(x, Signed)][::-1]
-    ordered = dict[str | float, Step]()
+    ordered = dict[str | float, Operation]()
     while waiting:
         step = made.get(waiting[-1])
         missing = (

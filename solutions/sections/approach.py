@@ -6,13 +6,13 @@ from numpy.typing import ArrayLike
 from ..chain import Chain
 from ..jacobian import jacobian
 from ..kinematics import forward
-from ..singularity import Arm, Values
+from ..singularity import RegionalArm, Values
 
 STEPS = 14
 
 
 def approached(
-    part: Arm, free: tuple[int, ...], axes: tuple[str, str], q: Values, wanted: Values
+    part: RegionalArm, free: tuple[int, ...], axes: tuple[str, str], q: Values, wanted: Values
 ) -> tuple[Values, Values]:
     """Joint values (m, k) of the free joints that start at `q`, and what is still missing (m, 2) to the points [m].
 
@@ -63,7 +63,7 @@ def configurations(n: int, free: tuple[int, ...], values: Values) -> Values:
 
 
 def _gap(
-    part: Arm, free: tuple[int, ...], axes: tuple[str, str], q: Values, wanted: Values
+    part: RegionalArm, free: tuple[int, ...], axes: tuple[str, str], q: Values, wanted: Values
 ) -> tuple[Values, Values]:
     """What is missing (m, 2) to the wanted points, and the derivative (m, 2, k) of the points by the joints."""
     full = configurations(part.chain.n, free, q)

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..chain import Chain, elementary
-from ..singularity import Arm, Values
+from ..singularity import RegionalArm, Values
 from .approach import in_axis_frame, projected
 from .lines import chained
 from .stands import Mask, Plane, Stand, Whole, margins, onward, settled, slopes
@@ -30,7 +30,7 @@ MOST = 2000  # steps
 Line = tuple[bool, Values]  # whether a joint is held at a limit, and configurations (m, n)
 
 
-def barriers(part: Arm, axes: tuple[str, str], free: tuple[int, ...]) -> list[Line]:
+def barriers(part: RegionalArm, axes: tuple[str, str], free: tuple[int, ...]) -> list[Line]:
     """Lines of configurations (m, n) within the limits of an arm, whose images the tool has no velocity across.
 
     Singular sets of all free joints that move the tool are whole. Of those with a joint at a limit only that is kept
@@ -52,7 +52,7 @@ def barriers(part: Arm, axes: tuple[str, str], free: tuple[int, ...]) -> list[Li
     return lines
 
 
-def _moves(part: Arm, joint: int, axes: tuple[str, str]) -> bool:
+def _moves(part: RegionalArm, joint: int, axes: tuple[str, str]) -> bool:
     """Whether a joint moves the tool in the section."""
     low, high = np.transpose(part.limits)
     q = np.random.default_rng(0).uniform(low, high, (64, part.chain.n))
@@ -62,12 +62,12 @@ def _moves(part: Arm, joint: int, axes: tuple[str, str]) -> bool:
     return bool(np.abs(other - at).max() > 1e-9 * np.abs(at).max())
 
 
-def _turns(part: Arm, joint: int) -> bool:
+def _turns(part: RegionalArm, joint: int) -> bool:
     low, high = part.limits[joint]
     return part.chain.kinds[joint] == "R" and high - low > 2 * np.pi - 1e-9
 
 
-def _units(part: Arm, moving: tuple[int, ...]) -> Values:
+def _units(part: RegionalArm, moving: tuple[int, ...]) -> Values:
     """What one unit of each joint is, and of lengths: a radian, or the length of the arm [m]."""
     strokes = [np.abs(part.limits[i]).max() for i in moving if part.chain.kinds[i] == "P"]
     length = float(np.linalg.norm(part.chain.fixed[1:, :3, 3], axis=-1).sum() + sum(strokes))
@@ -75,7 +75,7 @@ def _units(part: Arm, moving: tuple[int, ...]) -> Values:
 
 
 def _plane(
-    part: Arm, axes: tuple[str, str], moving: tuple[int, ...], rest: Values, units: Values
+    part: RegionalArm, axes: tuple[str, str], moving: tuple[int, ...], rest: Values, units: Values
 ) -> Plane:
     fixed, kinds = [np.eye(4)], ""  # from the frame of axis 1: where the base is changes no slope
     for i, (kind, C) in enumerate(zip(part.chain.kinds, part.chain.fixed[1:], strict=True)):

@@ -3,13 +3,13 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from ..singularity import Arm, Values, sigma_min, task_block
+from ..singularity import RegionalArm, Values, sigma_min, task_block
 from .approach import approached, in_axis_frame, projected
 
 Extent = tuple[float, float, float, float]  # left, right, bottom, top [m]
 
 
-def filled(part: Arm, axes: tuple[str, str], cells: int) -> tuple[Values, Extent]:
+def filled(part: RegionalArm, axes: tuple[str, str], cells: int) -> tuple[Values, Extent]:
     """Cells of a section that any number of joints span: samples, then postures for the empty cells beside them."""
     q = spread(part, 40_000)
     points, sigma = projected(in_axis_frame(part.chain, q), axes), sigma_min(task_block(part, q))
@@ -49,7 +49,7 @@ def raster(points: Values, sigma: Values, cells: int, margin: int = 1) -> tuple[
     return image.reshape(shape[1], shape[0]), (left, right, bottom, top)
 
 
-def spread(part: Arm, count: int) -> Values:
+def spread(part: RegionalArm, count: int) -> Values:
     """Configurations (count, n) spread evenly over the joint limits: Roberts' additive recurrence."""
     n = part.chain.n
     ratio = 2.0
