@@ -21,9 +21,15 @@ MODULES = [
 ENGINE = {"solutions"}
 ROOMS = {
     # Behind the modules of solutions/ that people call.
-    "solutions": {"solutions/program", "solutions/sections", "solutions/closed_forms"},
+    "solutions": {
+        "solutions/program",
+        "solutions/sections",
+        "solutions/closed_forms",
+        "solutions/gauges",
+    },
     "solutions/program": ENGINE,
     "solutions/sections": ENGINE,
+    "solutions/gauges": ENGINE,
     "solutions/closed_forms": ENGINE,
     # The contract on top of the kinds; what exercises share on top of the contract; no way into the catalogue.
     "exercises/kinds": ENGINE,

@@ -1,0 +1,1 @@
+"""Gauges between the frames of two chains, which tell whether both are one mechanism."""
