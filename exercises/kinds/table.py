@@ -7,6 +7,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from ...solutions.equivalence import ALL_GIVEN, Given
 from ...solutions.expression_array import sample
 from ...solutions.table import Table
 from .kind import Kind, ValueKindError, Variant, listed_rows
@@ -19,13 +20,15 @@ class TableOf(Kind):
     """A Denavit-Hartenberg table with one row of theta, d, a, alpha per joint of `kinds`, such as "RRP".
 
     Cells are expressions in `names` and q1 ... qn, or numbers; names that a variant lacks are unknown on its sheet.
-    Its value is a `Table`.
+    Its value is a `Table`. A table that describes the same arm with frames placed otherwise is right, as far as `given`
+    leaves that open: the sheet says which of base frame, tool frame, positive senses and home pose it gives.
     """
 
     names: tuple[str, ...]
     kinds: str
     convention: Literal["standard", "modified"] = "standard"
     decimals: int = 3
+    given: Given = ALL_GIVEN
 
     @property
     def form(self) -> str:
@@ -73,6 +76,11 @@ def table_numbers(table: Table, v: Variant, q: Any) -> NDArray[np.float64]:
     for i, name in enumerate(table.joints):
         values[name] = joints[..., i]
     return table.numbers(values)
+
+
+def table_rows(table: Table, v: Variant) -> NDArray[np.float64]:
+    """Cells (n, 4) of a table with the variant's lengths and no joint values, as chains are built of."""
+    return table_numbers(table, v, np.zeros(len(table.joints)))
 
 
 def posture(joints: Sequence[str], v: Variant) -> NDArray[np.float64]:
