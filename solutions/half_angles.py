@@ -16,7 +16,9 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
 MANY = 8  # terms above which products of single angles are left nested
-Powers = Counter[Any]  # irreducible polynomials in t and lengths, and the angles that count for t = infinity
+Powers = Counter[
+    Any
+]  # irreducible polynomials in t and lengths, and the angles that count for t = infinity
 
 
 class HalfAngles:
@@ -41,7 +43,10 @@ class HalfAngles:
         if of.terms.keys() <= {()}:  # rings and their factors take one letter at least
             return sp.sympify(of.terms.get((), 0)), Counter()
         degrees = {
-            q: max((sum(x in (sp.cos(q), sp.sin(q)) for x in monomial) for monomial in of.terms), default=0)
+            q: max(
+                (sum(x in (sp.cos(q), sp.sin(q)) for x in monomial) for monomial in of.terms),
+                default=0,
+            )
             for q in self.angles
         }
         form = self._form(of, degrees)
@@ -101,34 +106,46 @@ class HalfAngles:
         return form
 
     def _degree(self, part: Any, i: int) -> int:
-        return int(part == self.angles[i]) if part in self.angles else _degree(part, self.tangents[i])
+        return (
+            int(part == self.angles[i]) if part in self.angles else _degree(part, self.tangents[i])
+        )
 
     def _odd(self, part: Any) -> set[int]:
         return {i for i in range(len(self.angles)) if self._degree(part, i) % 2}
 
     def _is_even(self, group: Sequence[Any]) -> bool:
-        return not any(sum(self._degree(part, i) for part in group) % 2 for i in range(len(self.angles)))
+        return not any(
+            sum(self._degree(part, i) for part in group) % 2 for i in range(len(self.angles))
+        )
 
     def _linked(self, left: dict[Any, int]) -> list[Any]:
         first = min(left, key=lambda part: (len(self._odd(part)), sp.default_sort_key(part)))
         group, shared = [first], self._odd(first)
-        while shared and (more := [part for part in left if part not in group and self._odd(part) & shared]):
+        while shared and (
+            more := [part for part in left if part not in group and self._odd(part) & shared]
+        ):
             group += more
             shared = shared.union(*(self._odd(part) for part in more))
         return group
 
     def _angles_of(self, group: Sequence[Any], repeated: int) -> tuple[sp.Expr, sp.Expr]:
         """A product of factors, even in every tangent, as a number times a sum of cosines and sines of angle sums."""
-        expression = sp.expand(sp.Mul(*(part**repeated for part in group if part not in self.angles)))
+        expression = sp.expand(
+            sp.Mul(*(part**repeated for part in group if part not in self.angles))
+        )
         for i, (q, t) in enumerate(zip(self.angles, self.tangents, strict=True)):
             half = repeated * sum(self._degree(part, i) for part in group) // 2
             if half:
                 terms = sp.Poly(expression, t).terms()
-                expression = sp.Add(*(number * _power(q, k, half) for (k,), number in terms)) / 2**half
+                expression = (
+                    sp.Add(*(number * _power(q, k, half) for (k,), number in terms)) / 2**half
+                )
         number, primitive = sp.expand(TR8(sp.expand(expression))).as_content_primitive()
         if len(sp.Add.make_args(primitive)) > MANY:
             number, primitive = reduced(polynomial(expression)).expression().as_content_primitive()
-        return (-number, -primitive) if primitive.could_extract_minus_sign() else (number, primitive)
+        return (
+            (-number, -primitive) if primitive.could_extract_minus_sign() else (number, primitive)
+        )
 
 
 def _degree(part: Any, t: Any) -> int:

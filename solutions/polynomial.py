@@ -36,7 +36,9 @@ class Polynomial:
         summed: dict[Monomial, Any] = {}
         for left, a in self.terms.items():
             for right, b in other.terms.items():
-                monomial = tuple(sorted(left + right, key=_order)) if left and right else left + right
+                monomial = (
+                    tuple(sorted(left + right, key=_order)) if left and right else left + right
+                )
                 summed[monomial] = summed.get(monomial, 0) + a * b
         return Polynomial({m: c for m, c in summed.items() if c})
 
@@ -53,7 +55,9 @@ class Polynomial:
             for i, letter in enumerate(monomial):
                 slope = _slope(letter, symbol)
                 if slope.terms:
-                    summed = summed + Polynomial({monomial[:i] + monomial[i + 1 :]: coefficient}) * slope
+                    summed = (
+                        summed + Polynomial({monomial[:i] + monomial[i + 1 :]: coefficient}) * slope
+                    )
         return summed
 
     def gathered(self) -> Polynomial:
@@ -105,7 +109,9 @@ def reduced(sum_of_products: Polynomial) -> Polynomial:
     result = ZERO
     for monomial, coefficient in sum_of_products.terms.items():
         counts = Counter(monomial)
-        squared = {letter: n // 2 for letter, n in counts.items() if n > 1 and isinstance(letter, sp.sin)}
+        squared = {
+            letter: n // 2 for letter, n in counts.items() if n > 1 and isinstance(letter, sp.sin)
+        }
         counts.subtract({letter: 2 * n for letter, n in squared.items()})
         term = Polynomial({tuple(counts.elements()): coefficient})
         for letter, n in squared.items():
@@ -137,10 +143,14 @@ def _nested(items: frozenset[tuple[Monomial, Any]]) -> tuple[int, int, sp.Expr]:
         ((monomial, coefficient),) = rest.items()
         letters = front + monomial
         return max(len(letters) - 1, 0) + (coefficient != 1), sign, sp.Mul(coefficient, *letters)
-    operations = sum(max(len(m) - 1, 0) + (abs(c) != 1 and bool(m)) for m, c in rest.items()) + len(rest) - 1
+    operations = (
+        sum(max(len(m) - 1, 0) + (abs(c) != 1 and bool(m)) for m, c in rest.items()) + len(rest) - 1
+    )
     shortest = sp.Add(*(sp.Mul(c, *m) for m, c in rest.items()))
     for letter in _splits(rest):
-        inner = _nested(frozenset((_without(m, (letter,)), c) for m, c in rest.items() if letter in m))
+        inner = _nested(
+            frozenset((_without(m, (letter,)), c) for m, c in rest.items() if letter in m)
+        )
         other = _nested(frozenset((m, c) for m, c in rest.items() if letter not in m))
         if (found := inner[0] + other[0] + 2) < operations:
             operations = found
@@ -151,7 +161,9 @@ def _nested(items: frozenset[tuple[Monomial, Any]]) -> tuple[int, int, sp.Expr]:
 def _splits(terms: dict[Monomial, Any]) -> list[Any]:
     """Letters of two terms or more that may be taken in front; the most frequent one if there are many terms."""
     counts = Counter(letter for monomial in terms for letter in dict.fromkeys(monomial))
-    frequent = sorted((x for x, k in counts.items() if k > 1), key=lambda x: (-counts[x], _order(x)))
+    frequent = sorted(
+        (x for x, k in counts.items() if k > 1), key=lambda x: (-counts[x], _order(x))
+    )
     return frequent if len(terms) <= MANY else frequent[:1]
 
 

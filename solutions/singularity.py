@@ -114,7 +114,9 @@ def factor_values(robot: "Robot", parameters: Parameters, q: ArrayLike) -> dict[
     """The value (...) of every factor of det J at q (..., n), by the factor's name."""
     configurations = np.asarray(q, dtype=np.float64)
     if configurations.shape[-1:] != (robot.n,):
-        raise SingularityError(f"q takes shape (..., {robot.n}) for {robot.name}, got {configurations.shape}.")
+        raise SingularityError(
+            f"q takes shape (..., {robot.n}) for {robot.name}, got {configurations.shape}."
+        )
     values = _named(robot, parameters, [configurations[..., i] for i in range(robot.n)])
     return {f.name: _evaluate(robot, f, values, configurations.shape[:-1]) for f in robot.factors}
 
@@ -148,9 +150,13 @@ def zero_set(
     """
     named = {f.name: f for f in robot.factors}
     if factor not in named:
-        raise SingularityError(f"{robot.name} takes one of the factors {sorted(named)}, got {factor!r}.")
+        raise SingularityError(
+            f"{robot.name} takes one of the factors {sorted(named)}, got {factor!r}."
+        )
     if len(set(free)) != 2 or not set(free) <= set(range(robot.n)):
-        raise SingularityError(f"A plane takes two different joints of 0 to {robot.n - 1}, got {free}.")
+        raise SingularityError(
+            f"A plane takes two different joints of 0 to {robot.n - 1}, got {free}."
+        )
     fixed = np.zeros(robot.n) if at is None else np.asarray(at, dtype=np.float64)
 
     def field(x: Values, y: Values) -> Values:
@@ -162,7 +168,9 @@ def zero_set(
     return trace(field, spans[0], spans[1], count)
 
 
-def trace(field: ScalarField, across: tuple[float, float], up: tuple[float, float], count: int = 361) -> Lines:
+def trace(
+    field: ScalarField, across: tuple[float, float], up: tuple[float, float], count: int = 361
+) -> Lines:
     """The zero curves, each (m, 2), of a scalar field that changes sign across them, inside a rectangle."""
     x, y = _grid_lines(*across, count), _grid_lines(*up, count)
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -204,7 +212,9 @@ def _named(robot: "Robot", parameters: Parameters, q: Sequence[Values]) -> dict[
     return {**robot.parameters, **(parameters or {}), **joints}
 
 
-def _evaluate(robot: "Robot", factor: "Factor", values: Mapping[str, ArrayLike], shape: tuple[int, ...]) -> Values:
+def _evaluate(
+    robot: "Robot", factor: "Factor", values: Mapping[str, ArrayLike], shape: tuple[int, ...]
+) -> Values:
     found = parse(factor.expression, robot.names).at(values)
     return np.broadcast_to(np.asarray(found, dtype=np.float64), shape)
 
@@ -254,4 +264,8 @@ def _inside(points: Values, low: Values, high: Values) -> list[Values]:
     kept = ((points >= low - slack) & (points <= high + slack)).all(axis=1)
     cuts = np.flatnonzero(np.diff(kept)) + 1
     pieces = np.split(np.clip(points, low, high), cuts)
-    return [piece for piece, keep in zip(pieces, np.split(kept, cuts), strict=True) if keep[0] and len(piece) > 1]
+    return [
+        piece
+        for piece, keep in zip(pieces, np.split(kept, cuts), strict=True)
+        if keep[0] and len(piece) > 1
+    ]

@@ -49,7 +49,11 @@ TABLE = [
 ]
 # the other arm of the same line: mirrored twists, or the elevation from the horizontal
 VARIANTS: list[tuple[str, Rows, str]] = [
-    ("rrt_spherical", (("q1", "d1", "0", "pi/2"), ("q2", "0", "0", "-pi/2"), ("0", "q3", "0", "0")), "-q3^2*sin(q2)"),
+    (
+        "rrt_spherical",
+        (("q1", "d1", "0", "pi/2"), ("q2", "0", "0", "-pi/2"), ("0", "q3", "0", "0")),
+        "-q3^2*sin(q2)",
+    ),
     (
         "rrt_spherical",
         (("q1", "d1", "0", "-pi/2"), ("q2 - pi/2", "0", "0", "pi/2"), ("0", "q3", "0", "0")),
@@ -60,19 +64,34 @@ VARIANTS: list[tuple[str, Rows, str]] = [
         (("q1", "d1", "a1", "pi/2"), ("q2", "d2", "0", "-pi/2"), ("0", "q3", "0", "0")),
         "-q3*(q3*sin(q2) - a1)",
     ),
-    ("rrt_scara", (("q1", "d1", "a1", "0"), ("q2", "0", "a2", "0"), ("0", "q3", "0", "0")), "a1*a2*sin(q2)"),
+    (
+        "rrt_scara",
+        (("q1", "d1", "a1", "0"), ("q2", "0", "a2", "0"), ("0", "q3", "0", "0")),
+        "a1*a2*sin(q2)",
+    ),
 ]
 
 
 def made(rows: Rows, task_rows: tuple[int, ...] = (0, 1, 2), **settings: object) -> Robot:
     names = dict.fromkeys(("a", "b", "d", "e"), 0.3)
-    given = {"name": "made", "title": "", "source": "", "limits": ((-1, 1),) * len(rows), "parameters": names}
+    given = {
+        "name": "made",
+        "title": "",
+        "source": "",
+        "limits": ((-1, 1),) * len(rows),
+        "parameters": names,
+    }
     return Robot(**{**given, "rows": rows, "task_rows": task_rows, **settings})
 
 
 ODD = [
-    made((("q1 + pi/3", "0", "a", "0"), ("q2 + pi/4", "0", "b", "pi")), (0, 1), tool=(("Ty", "d"),)),
-    made((("q1", "b", "a", "pi/2"), ("q2", "0", "a", "e"), ("q3", "d", "b", "0")), base=(("Rx", "e"), ("Tx", "a"))),
+    made(
+        (("q1 + pi/3", "0", "a", "0"), ("q2 + pi/4", "0", "b", "pi")), (0, 1), tool=(("Ty", "d"),)
+    ),
+    made(
+        (("q1", "b", "a", "pi/2"), ("q2", "0", "a", "e"), ("q3", "d", "b", "0")),
+        base=(("Rx", "e"), ("Tx", "a")),
+    ),
     made((("q1", "0", "a", "0"), ("q2", "0", "b", "0"), ("q3", "0", "a", "0"))),
     made((("q1", "0", "0", "pi/2"), ("q2", "0", "0", "pi/2"), ("q3", "0", "0", "0")), (3, 4, 5)),
     made((("q1", "a", "0", "pi/4"), ("0", "q2", "0", "pi/2"), ("0", "q3", "0", "0"))),
@@ -91,7 +110,9 @@ ODD = [
 
 
 def value(expression: Any, values: dict[str, float]) -> float:
-    return float(expression.subs({symbol: values[symbol.name] for symbol in expression.free_symbols}))
+    return float(
+        expression.subs({symbol: values[symbol.name] for symbol in expression.free_symbols})
+    )
 
 
 def same(first: sp.Expr, second: sp.Expr) -> bool:
@@ -105,7 +126,9 @@ def assert_value_of_the_engine(arm: Robot) -> None:
         q = generator.uniform(-np.pi, np.pi, arm.n)
         block = jacobian(arm.chain(lengths), q)[list(arm.task_rows)]
         values = {**lengths, **dict(zip(arm.joints, q.tolist(), strict=True))}
-        assert value(found.expression, values) == pytest.approx(np.linalg.det(block), rel=1e-9, abs=1e-13)
+        assert value(found.expression, values) == pytest.approx(
+            np.linalg.det(block), rel=1e-9, abs=1e-13
+        )
 
 
 @pytest.mark.parametrize(("name", "rows", "printed"), TABLE, ids=[row[0] for row in TABLE])
@@ -116,21 +139,27 @@ def test_every_row_of_the_table_is_found_with_its_sign(name: str, rows: str, pri
 
 
 @pytest.mark.parametrize(("name", "rows", "printed"), VARIANTS)
-def test_the_other_tables_of_the_same_arms_have_the_signs_of_the_table(name: str, rows: Rows, printed: str):
+def test_the_other_tables_of_the_same_arms_have_the_signs_of_the_table(
+    name: str, rows: Rows, printed: str
+):
     arm = replace(ROBOTS[name], rows=rows, factors=())
     assert same(determinant(arm).expression, parse(printed, arm.names).sympy())
 
 
 def test_the_table_has_every_robot_with_factors():
     assert (
-        {name for name, _, _ in TABLE} == {arm.name for arm in SQUARE} == {a.name for a in ROBOTS.values() if a.factors}
+        {name for name, _, _ in TABLE}
+        == {arm.name for arm in SQUARE}
+        == {a.name for a in ROBOTS.values() if a.factors}
     )
 
 
 @square
 def test_the_robots_own_factors_are_found_with_their_powers_and_constant(arm: Robot):
     found = determinant(arm)
-    assert [(name, power) for name, _, power in found.factors] == [(f.name, f.power) for f in arm.factors]
+    assert [(name, power) for name, _, power in found.factors] == [
+        (f.name, f.power) for f in arm.factors
+    ]
     assert found.constant == parse(arm.constant, arm.names).sympy()
     for (_, expression, _), factor in zip(found.factors, arm.factors, strict=True):
         assert expression == parse(factor.expression, arm.names).sympy()
@@ -143,7 +172,10 @@ def test_factors_are_found_without_being_told(arm: Robot):
     assert same(told.expression, found.expression)
     assert len(told.factors) == len(found.factors)
     for _, expression, power in told.factors:
-        assert any(power == p and (same(expression, e) or same(expression, -e)) for _, e, p in found.factors)
+        assert any(
+            power == p and (same(expression, e) or same(expression, -e))
+            for _, e, p in found.factors
+        )
 
 
 @square
@@ -151,7 +183,9 @@ def test_a_determinant_has_the_engines_value_at_random_configurations_and_length
     assert_value_of_the_engine(arm)
 
 
-@pytest.mark.parametrize("arm", ODD, ids=["tool", "parameter as twist", "none", "angular", "slides", "no wrist"])
+@pytest.mark.parametrize(
+    "arm", ODD, ids=["tool", "parameter as twist", "none", "angular", "slides", "no wrist"]
+)
 def test_other_robots_have_the_engines_value_too(arm: Robot):
     assert_value_of_the_engine(arm)
 
@@ -194,11 +228,15 @@ def test_a_spherical_wrist_splits_the_block():
 def test_s0s_arm_has_6_roots_of_3_at_its_example():
     arm = ROBOTS["three_axis"]
     q = dict(zip(arm.joints, arm.pose("example").tolist(), strict=True))
-    assert value(determinant(arm).expression, {**arm.values(), **q}) == pytest.approx(6 * np.sqrt(3), rel=1e-14)
+    assert value(determinant(arm).expression, {**arm.values(), **q}) == pytest.approx(
+        6 * np.sqrt(3), rel=1e-14
+    )
 
 
 def test_a_robot_without_a_square_block_is_refused_with_a_sentence():
-    with pytest.raises(DeterminantError, match="square task block, got panda with 6 rows and 7 joints"):
+    with pytest.raises(
+        DeterminantError, match="square task block, got panda with 6 rows and 7 joints"
+    ):
         determinant(ROBOTS["panda"])
 
 

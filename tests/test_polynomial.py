@@ -61,13 +61,24 @@ def test_powers_of_a_sine_are_reduced_to_the_first(power):
 
 @pytest.mark.parametrize(
     ("text", "count"),
-    [("1 + cos(q1)", 2), ("1 - cos(q1)", 2), ("sin(q1)", 2), ("cos(q1)", 2), ("sin(q1)**2 + cos(q1)**2", 0), ("a", 0)],
+    [
+        ("1 + cos(q1)", 2),
+        ("1 - cos(q1)", 2),
+        ("sin(q1)", 2),
+        ("cos(q1)", 2),
+        ("sin(q1)**2 + cos(q1)**2", 0),
+        ("a", 0),
+    ],
 )
 def test_half_angles_count_the_zeros_of_a_turn_those_at_half_a_turn_too(text, count):
     half = HalfAngles([q1])
     _, powers = half.factored(polynomial(parse_expr(text, local_dict={"a": a, "q1": q1})))
     t = half.tangents[0]
-    zeros = [n * (1 if part == q1 else int(sp.Poly(part, t).degree())) for part, n in powers.items() if part != a]
+    zeros = [
+        n * (1 if part == q1 else int(sp.Poly(part, t).degree()))
+        for part, n in powers.items()
+        if part != a
+    ]
     assert sum(zeros) == count
 
 

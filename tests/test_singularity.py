@@ -34,7 +34,8 @@ def _shoulder() -> str:
 
 
 @pytest.mark.parametrize(
-    ("shape", "expected"), [((2, 2), (2,)), ((7, 3, 6), (7, 3)), ((5, 4, 6, 3), (5, 4, 3)), ((0, 3, 3), (0, 3))]
+    ("shape", "expected"),
+    [((2, 2), (2,)), ((7, 3, 6), (7, 3)), ((5, 4, 6, 3), (5, 4, 3)), ((0, 3, 3), (0, 3))],
 )
 def test_singular_values_keep_the_batch_and_come_largest_first(
     shape: tuple[int, ...], expected: tuple[int, ...]
@@ -47,7 +48,9 @@ def test_singular_values_keep_the_batch_and_come_largest_first(
 def test_sigma_min_of_the_planar_arm_is_det_over_sigma_max() -> None:
     robot = ROBOTS["planar_2r"]
     block = task_block(arm(robot), _random(robot, 50))
-    np.testing.assert_allclose(sigma_min(block), np.abs(np.linalg.det(block)) / singular_values(block)[:, 0])
+    np.testing.assert_allclose(
+        sigma_min(block), np.abs(np.linalg.det(block)) / singular_values(block)[:, 0]
+    )
 
 
 def test_rank_counts_what_is_above_its_tolerance() -> None:
@@ -68,8 +71,12 @@ def test_manipulability_of_a_tall_block_is_refused_with_a_sentence() -> None:
         manipulability(jacobian(ROBOTS["rrt_spherical"].chain(), np.zeros(3)))
 
 
-@pytest.mark.parametrize(("block", "sentence"), [([1.0, 2.0], r"shape \(2,\)"), ([[np.nan, 1.0]], "finite")])
-def test_a_block_that_is_no_finite_matrix_is_refused_with_a_sentence(block: ArrayLike, sentence: str) -> None:
+@pytest.mark.parametrize(
+    ("block", "sentence"), [([1.0, 2.0], r"shape \(2,\)"), ([[np.nan, 1.0]], "finite")]
+)
+def test_a_block_that_is_no_finite_matrix_is_refused_with_a_sentence(
+    block: ArrayLike, sentence: str
+) -> None:
     with pytest.raises(SingularityError, match=sentence):
         sigma_min(block)
 
@@ -93,7 +100,9 @@ def test_the_arms_factors_multiply_to_the_determinant_of_its_block(robot: Robot)
     np.testing.assert_allclose(ratio, ratio[0], rtol=1e-8)
 
 
-@pytest.mark.parametrize(("robot", "name"), PAIRS, ids=[f"{robot.name}-{name}" for robot, name in PAIRS])
+@pytest.mark.parametrize(
+    ("robot", "name"), PAIRS, ids=[f"{robot.name}-{name}" for robot, name in PAIRS]
+)
 def test_on_a_zero_set_the_task_block_has_lost_a_rank(robot: Robot, name: str) -> None:
     free = next(
         pair
@@ -125,7 +134,10 @@ def test_the_pumas_shoulder_curve_is_traced_apart_from_the_folded_elbow() -> Non
     p = ROBOTS["puma560"].parameters
     points = np.concatenate(zero_set(ROBOTS["puma560"], _shoulder(), count=721))
     x, y = points.T
-    exact = np.arctan2(p["a2"] + p["a3"] * np.cos(y) - p["d4"] * np.sin(y), p["a3"] * np.sin(y) + p["d4"] * np.cos(y))
+    exact = np.arctan2(
+        p["a2"] + p["a3"] * np.cos(y) - p["d4"] * np.sin(y),
+        p["a3"] * np.sin(y) + p["d4"] * np.cos(y),
+    )
     apart = (x - exact) % np.pi
     assert np.minimum(apart, np.pi - apart).max() < 1e-8
     near = np.abs(np.degrees(y) - 92.692) < 1
@@ -161,7 +173,10 @@ def test_a_circle_comes_back_closed_and_a_pole_is_no_zero() -> None:
 
 def test_other_parameters_move_the_curve() -> None:
     (line,) = zero_set(
-        ROBOTS["rrt_offset"], ROBOTS["rrt_offset"].factors[1].name, {"a1": 0.3}, ranges=[(-3.0, 0.0), (0.2, 1.0)]
+        ROBOTS["rrt_offset"],
+        ROBOTS["rrt_offset"].factors[1].name,
+        {"a1": 0.3},
+        ranges=[(-3.0, 0.0), (0.2, 1.0)],
     )
     np.testing.assert_allclose(np.sin(line[:, 0]), -0.3 / line[:, 1], rtol=1e-9)
 
