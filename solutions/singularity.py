@@ -1,9 +1,8 @@
 """Where a Jacobian block loses rank: its singular values, and the zero set of each factor of its determinant."""
 
-from collections import defaultdict
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -179,10 +178,14 @@ def trace(
         # A zero along a whole grid line is rounding noise of either sign; this shift makes it one sign.
         shift = 1e-13 * float(np.median(np.abs(values)))
         values = values + shift
-        points, horizontal, vertical = _crossings(lambda a, b: field(a, b) + shift, x, y, values)
-    lines = _join(_links(values, horizontal, vertical), len(points))
+        lines = _contours(values)
+        if not lines:
+            return ()
+        points = _roots(lambda a, b: field(a, b) + shift, x, y, values, np.concatenate(lines))
+    ends = np.cumsum([len(line) for line in lines])
     low, high = np.array([across[0], up[0]]), np.array([across[1], up[1]])
-    return tuple(piece for line in lines for piece in _inside(points[line], low, high))
+    traced = np.split(points, ends[:-1])
+    return tuple(piece for line in traced for piece in _inside(line, low, high))
 
 
 def _wrist_centre(chain: Chain) -> float | None:
@@ -224,80 +227,39 @@ def _grid_lines(low: float, high: float, count: int) -> Values:
     return np.concatenate([[low - 0.4 * step, low], inner, [high, high + 0.4 * step]])
 
 
-def _bisect(field: Callable[[Values], Values], low: Values, high: Values) -> Values:
-    rising = field(high) >= 0
+def _contours(values: Values) -> list[Values]:
+    """Lines (m, 2) between the nodes of either sign, in numbers of grid lines along x and y.
+
+    Their points are on the edges between nodes, in the middle third. A closed line repeats its first.
+    """
+    from contourpy import LineType, contour_generator
+
+    # The sign keeps points off the nodes; the value decides which corners of a saddle are joined.
+    heights = np.where(values >= 0, 1.0, -1.0) + values / np.abs(values).max()
+    contours = contour_generator(z=heights.T, line_type=LineType.Separate)
+    return cast("list[Values]", contours.lines(0.0))
+
+
+def _roots(field: ScalarField, x: Values, y: Values, values: Values, places: Values) -> Values:
+    """The roots (m, 2) on the edges of the grid where `places` (m, 2) are; NaN for a pole."""
+    first = np.floor(places + 1e-9).astype(int)  # an edge keeps to a grid line only to rounding
+    last = np.ceil(places - 1e-9).astype(int)
+    low, high = (np.column_stack([x[i], y[j]]) for i, j in (first.T, last.T))
+    rising = values[tuple(last.T)] >= 0
     for _ in range(54):
         middle = (low + high) / 2
-        above = (field(middle) >= 0) == rising
+        above = ((field(*middle.T) >= 0) == rising)[:, None]
         low, high = np.where(above, low, middle), np.where(above, middle, high)
-    return (low + high) / 2
-
-
-def _crossings(
-    field: ScalarField, x: Values, y: Values, values: Values
-) -> tuple[Values, NDArray[np.intp], NDArray[np.intp]]:
-    """Roots (k, 2) on the edges of the grid, and for every edge along x and along y its root or -1."""
-    positive, size = values >= 0, np.abs(values)
-    tables = (np.full((len(x) - 1, len(y)), -1), np.full((len(x), len(y) - 1), -1))
-    i, j = np.nonzero(positive[1:] != positive[:-1])
-    along_x = np.column_stack([_bisect(lambda a: field(a, y[j]), x[i], x[i + 1]), y[j]])
-    m, n = np.nonzero(positive[:, 1:] != positive[:, :-1])
-    along_y = np.column_stack([x[m], _bisect(lambda b: field(x[m], b), y[n], y[n + 1])])
-    points = np.concatenate([along_x, along_y])
-    ends = np.concatenate(
-        [np.maximum(size[i, j], size[i + 1, j]), np.maximum(size[m, n], size[m, n + 1])]
-    )
+    roots = (low + high) / 2
+    size = np.abs(values)
     # A pole changes sign too (tan), but its "root" is huge.
-    true = np.abs(field(points[:, 0], points[:, 1])) <= ends
-    numbers = np.where(true, np.arange(len(points)), -1)
-    tables[0][i, j], tables[1][m, n] = numbers[: len(i)], numbers[len(i) :]
-    return points, *tables
-
-
-def _links(
-    values: Values, horizontal: NDArray[np.intp], vertical: NDArray[np.intp]
-) -> list[tuple[int, int]]:
-    """Pairs of roots that a curve joins inside one cell of the grid."""
-    edges = np.stack([horizontal[:, :-1], vertical[1:], horizontal[:, 1:], vertical[:-1]], axis=-1)
-    pairs: list[tuple[int, int]] = []
-    for i, j in np.argwhere((edges >= 0).sum(axis=-1) >= 2):
-        south, east, north, west = (int(edge) for edge in edges[i, j])
-        found = [edge for edge in (south, east, north, west) if edge >= 0]
-        if len(found) == 2:
-            pairs.append((found[0], found[1]))
-        elif len(found) == 4:
-            a, b, c, d = values[i, j], values[i + 1, j], values[i + 1, j + 1], values[i, j + 1]
-            saddle = (a * c - b * d) / (a + c - b - d)
-            if abs(saddle) < 0.05 * max(abs(a), abs(b), abs(c), abs(d)):
-                pairs += [(south, north), (east, west)]
-            elif (saddle > 0) == (a > 0):
-                pairs += [(south, east), (north, west)]
-            else:
-                pairs += [(south, west), (north, east)]
-    return pairs
-
-
-def _join(pairs: Sequence[tuple[int, int]], count: int) -> list[list[int]]:
-    """Links joined to lines of roots; a closed line repeats its first root."""
-    near: defaultdict[int, list[int]] = defaultdict(list)
-    for a, b in pairs:
-        near[a].append(b)
-        near[b].append(a)
-    lines: list[list[int]] = []
-    ends = [a for a in range(count) if len(near[a]) == 1]
-    for start in ends + list(near):  # open lines first, then what is left is closed
-        line = [start]
-        while near[line[-1]]:
-            following = near[line[-1]].pop()
-            near[following].remove(line[-1])
-            line.append(following)
-        if len(line) > 1:
-            lines.append(line)
-    return lines
+    larger = np.maximum(size[tuple(first.T)], size[tuple(last.T)])
+    true = np.abs(field(*roots.T)) <= larger
+    return np.where(true[:, None], roots, np.nan)
 
 
 def _inside(points: Values, low: Values, high: Values) -> list[Values]:
-    """The pieces of a line inside a rectangle, whose sides are grid lines and so carry points of it."""
+    """The pieces without NaN of a line in a rectangle, whose sides are grid lines and carry points."""
     slack = 1e-9 * (high - low)
     kept = ((points >= low - slack) & (points <= high + slack)).all(axis=1)
     cuts = np.flatnonzero(np.diff(kept)) + 1

@@ -80,3 +80,32 @@ def test_half_angles_count_the_zeros_of_a_turn_those_at_half_a_turn_too(text, co
         if part != a
     ]
     assert sum(zeros) == count
+
+
+@pytest.mark.parametrize(
+    ("x", "number", "factors"),
+    [
+        (sp.S.Zero, 0, {}),
+        (sp.Rational(-3, 4), sp.Rational(-3, 4), {}),
+        (a / 2, sp.Rational(1, 2), {a: 1}),
+    ],
+    ids=str,
+)
+@pytest.mark.parametrize("angles", [[], [q1]], ids=str)
+def test_what_turns_with_no_angle_is_factored_too(x, number, factors, angles):
+    assert HalfAngles(angles).factored(polynomial(x)) == (number, factors)
+
+
+def test_a_product_of_square_roots_is_a_number():
+    root = polynomial(sp.sqrt(2))
+    assert HalfAngles([q1]).factored(root * root * polynomial(a)) == (2, {a: 1})
+    assert HalfAngles([q1]).factored(root * root - polynomial(sp.S(2))) == (0, {})
+
+
+def test_equal_factors_have_the_same_sign_whatever_stands_beside_them():
+    half = HalfAngles([q1, q2])
+    factor = polynomial(a - b)
+    _, alone = half.factored(factor)
+    for other in (sp.cos(q2), a, -sp.Symbol("A", real=True), sp.sin(q1)):
+        _, found = half.factored(factor * polynomial(other))
+        assert alone.keys() <= found.keys()

@@ -7,6 +7,7 @@ from collections import Counter
 from typing import TYPE_CHECKING, Any
 
 import sympy as sp
+from sympy.polys.rings import PolyRing
 from sympy.simplify.fu import TR8
 
 from .polynomial import Polynomial, polynomial, reduced
@@ -38,6 +39,9 @@ class HalfAngles:
         what t misses of that degree are zeros at infinity, q = pi, and counted under the angle. Factors 1 + t^2 have
         no zeros and are left out on both sides.
         """
+        of = of.gathered()
+        if of.terms.keys() <= {()}:  # rings and their factors take one letter at least
+            return sp.sympify(of.terms.get((), 0)), Counter()
         degrees = {
             q: max(
                 (sum(x in (sp.cos(q), sp.sin(q)) for x in monomial) for monomial in of.terms),
@@ -45,27 +49,21 @@ class HalfAngles:
             )
             for q in self.angles
         }
-        form = sp.Add(
-            *(self._form(monomial, number, degrees) for monomial, number in of.terms.items())
-        )
-        factorization: Any = sp.factor_list(form)
-        number, parts = factorization
+        form = self._form(of, degrees)
+        number, parts = form.factor_list()
         powers: Powers = Counter()
-        units = {1 + t**2: q for q, t in zip(self.angles, self.tangents, strict=True)}
+        missing = {q: 2 * degree for q, degree in degrees.items()}
+        tangents = dict(zip(self.angles, form.ring.gens, strict=False))
+        units = {1 + t**2: q for q, t in tangents.items()}
         for part, count in parts:
             if part in units:
-                degrees[units[part]] -= count
-            else:
-                powers[part] += count
-        for q, t in zip(self.angles, self.tangents, strict=True):
-            reached = sum(
-                _degree(part, t) * count
-                for part, count in powers.items()
-                if part not in self.angles
-            )
-            if missing := 2 * degrees[q] - reached:
-                powers[q] += missing
-        return number, powers
+                missing[units[part]] -= 2 * count
+                continue
+            powers[part.as_expr()] += count
+            for q, t in tangents.items():
+                missing[q] -= part.degree(t) * count
+        powers.update({q: count for q, count in missing.items() if count})
+        return sp.QQ.to_sympy(number), powers
 
     def trigonometric(self, powers: Powers) -> Iterator[tuple[sp.Expr, sp.Expr, int]]:
         """Numbers, primitive factors in cosines and sines of angle sums, and powers, of what `factored` returned.
@@ -84,22 +82,28 @@ class HalfAngles:
                 left[part] -= repeated * count
             left = {part: count for part, count in left.items() if count}
 
-    def _form(
-        self, monomial: tuple[Any, ...], number: Any, degrees: dict[sp.Symbol, int]
-    ) -> sp.Expr:
-        term = sp.Rational(number)
-        lacking = dict(degrees)
-        for letter in monomial:
-            q: Any = letter.args[0] if isinstance(letter, sp.cos | sp.sin) else None
-            if q in lacking:
-                t = self.tangents[self.angles.index(q)]
-                term *= 1 - t**2 if isinstance(letter, sp.cos) else 2 * t
-                lacking[q] -= 1
-            else:
-                term *= letter
-        return term * sp.Mul(
-            *((1 + t**2) ** lacking[q] for q, t in zip(self.angles, self.tangents, strict=True))
-        )
+    def _form(self, of: Polynomial, degrees: dict[sp.Symbol, int]) -> Any:
+        """Element, of the ring of the tangents and all letters of no angle, times all (1 + t^2)^d."""
+        letters = {letter for monomial in of.terms for letter in monomial}
+        single = {f(q): q for q in self.angles for f in (sp.cos, sp.sin)}
+        # In the same order at every call, so that a factor comes out with the same sign.
+        others = sorted(letters - single.keys(), key=sp.default_sort_key)
+        ring = PolyRing((*self.tangents, *others), sp.QQ, sp.lex)
+        tangents = dict(zip(self.angles, ring.gens, strict=False))
+        values = dict(zip(ring.symbols, ring.gens, strict=True))
+        values |= {sp.cos(q): 1 - t**2 for q, t in tangents.items()}
+        values |= {sp.sin(q): 2 * t for q, t in tangents.items()}
+        form = ring.zero
+        for monomial, number in of.terms.items():
+            lacking = Counter(degrees)
+            lacking.subtract(single[letter] for letter in monomial if letter in single)
+            term = ring(sp.Rational(number))
+            for letter in monomial:
+                term *= values[letter]
+            for q, count in lacking.items():
+                term *= (1 + tangents[q] ** 2) ** count
+            form += term
+        return form
 
     def _degree(self, part: Any, i: int) -> int:
         return (

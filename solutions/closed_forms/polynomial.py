@@ -60,13 +60,15 @@ class Polynomial:
                     )
         return summed
 
+    def gathered(self) -> Polynomial:
+        """Polynomial with irrational numbers multiplied: sqrt(3)*sqrt(3) is one more 3."""
+        if not any(letter.is_number for monomial in self.terms for letter in monomial):
+            return self
+        return polynomial(sp.Add(*(sp.Mul(c, *m) for m, c in self.terms.items())))
+
     def expression(self) -> sp.Expr:
         """Sympy expression in a short nested form, such as c1*(a2*c2 + a3*c23) + d3*s1."""
-        terms = self.terms
-        if any(
-            letter.is_number for monomial in terms for letter in monomial
-        ):  # sqrt(3)*sqrt(3) is one more 3
-            terms = polynomial(sp.Add(*(sp.Mul(c, *m) for m, c in terms.items()))).terms
+        terms = self.gathered().terms
         if not terms:
             return sp.S.Zero
         _, sign, expression = _nested(frozenset(terms.items()))
