@@ -1,8 +1,9 @@
-"""How dense the code is, measured with radon: `python benchmarks/density.py [folder or file ...]`, or `make density`.
+"""How dense the code is, measured with radon: `make density`, or `python benchmarks/density.py`.
 
-Everything is counted per 100 statements, so that neither docstrings nor line breaks change a figure: decisions (radon's
-cyclomatic complexity of every function, less the one that each begins with), comprehensions, conditional expressions.
-Beside them the lines over 100 columns in per cent, and the public functions and classes that have a docstring.
+Everything is counted per 100 statements, so neither docstrings nor line breaks change a figure:
+decisions (radon's cyclomatic complexity of every function, less the one that each begins with),
+comprehensions, conditional expressions. Beside them: lines over 100 columns in per cent, and
+the public functions and classes that have a docstring. Folders or files may be given.
 """
 
 import ast
@@ -18,7 +19,10 @@ COMPREHENSIONS = (ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
 DEFINITIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
 WIDEST = 100  # columns
 MOST_COMPLEX = 10
-HEADING = "place                                 statements  decisions  compreh.  cond.expr.  over 10  wide %  docs %"
+HEADING = (
+    "place                                 statements  decisions  compreh.  cond.expr."
+    "  over 10  wide %  docs %"
+)
 
 
 @dataclass
@@ -78,7 +82,7 @@ def is_docstring(node: ast.stmt) -> bool:
 
 
 def public(tree: ast.Module) -> list[ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef]:
-    """Functions, classes and methods without an underscore in front of their name or their class's."""
+    """Functions, classes and methods without an underscore before their name or their class's."""
     found: list[ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef] = []
     waiting = [node for node in tree.body if isinstance(node, DEFINITIONS)]
     while waiting:
