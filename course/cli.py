@@ -245,16 +245,10 @@ def read_marks(
 @app.command()
 def report(course: CourseOption = Path()) -> None:
     """Write grades.csv, feedback and the report again from the gradebook, without marking."""
-    from .grading import recorded_results
-    from .marking import write_results
+    from .marking import write_recorded
 
     with _opened(course) as (opened, gradebook):
-        print(
-            write_results(
-                opened,
-                [(sheet, recorded_results(opened, gradebook, sheet)) for sheet in opened.sheets()],
-            )
-        )
+        print(write_recorded(opened, gradebook))
 
 
 @app.command()
@@ -335,12 +329,13 @@ def plot(
     ] = None,
 ) -> None:
     """Draw workspace and singularities of a robot."""
-    from ..grader.figures.maps import describe, save
+    from ..grader.figures.maps import describe, picture
     from ..solutions.robots import robot as find_robot
+    from .files import write_atomically
 
     arm = find_robot(robot)
     path = output or Path(f"{robot}.png")
-    save(arm, path)
+    write_atomically(path, picture(arm, path.suffix))
     print(path)
     say(describe(arm))
 

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from ..exercises.exercise import Exercise, Numbers, Part, references, solve
+from ..exercises.exercise import Exercise, Numbers, Part, TableOf, references, solve
 from ..solutions.errors import KinegradeError
 from ..solutions.table import Table, read_table
 from .config import Course, CourseError, Sheet, read_course
@@ -92,9 +92,10 @@ def _degrees(exercise: Exercise, v: dict[str, Any], answers: Answers) -> Answers
 
 
 def _one_sign(exercise: Exercise, v: dict[str, Any], answers: Answers) -> Answers:
-    """One sign: of alpha_1 in the table, with all that follows from it, or of the largest entry of a matrix."""
-    if exercise.slug == "rrt":
-        return _other_alpha(exercise, v, answers)
+    """One sign: of alpha_1 in a table, and what follows, or of the largest entry of a matrix."""
+    table = _table(exercise)
+    if table:
+        return _other_alpha(exercise, table, v, answers)
     spoiled = dict(answers)
     for name, answer in answers.items():
         if _shape(answer)[1:] not in ((), (1,)):
@@ -109,18 +110,20 @@ def _shape(answer: Any) -> tuple[int, ...]:
     return tuple(answer.shape) if isinstance(answer, np.ndarray) else ()  # pyright: ignore[reportUnknownMemberType, reportUnknownArgumentType]
 
 
-def _other_alpha(exercise: Exercise, v: dict[str, Any], answers: Answers) -> Answers:
-    table: Table = answers["rrt_dh"]
+def _other_alpha(exercise: Exercise, asked: Part, v: dict[str, Any], answers: Answers) -> Answers:
+    """The other sign of alpha_1 and what is computed from it; formulas are not gone on from."""
+    assert isinstance(asked.answer, TableOf)  # noqa: S101 - chosen by this type
+    table: Table = answers[asked.variable]
     cells = [[str(cell) for cell in row] for row in table.rows]
     cells[0][3] = cells[0][3][1:] if cells[0][3].startswith("-") else f"-{cells[0][3]}"
-    given: Answers = {
-        "rrt_dh": read_table(cells, sorted({n for row in table.rows for c in row for n in c.names}))
-    }
-    for part in exercise.parts[1:]:
-        follows = set(part.needs) & {"rrt_dh", "rrt_T", "rrt_J"}
-        given[part.variable] = (
-            solve(exercise.slug, part, v, given) if follows else answers[part.variable]
-        )
+    names = sorted({n for row in table.rows for c in row for n in c.names})
+    given: Answers = {**answers, asked.variable: read_table(cells, names, asked.answer.convention)}
+    spoiled = {asked.variable}
+    for part in exercise.parts:
+        if spoiled & set(part.needs):
+            given[part.variable] = solve(exercise.slug, part, v, given)
+            if isinstance(part.answer, Numbers):
+                spoiled.add(part.variable)
     return given
 
 
@@ -144,9 +147,37 @@ def _not_a_number(_: Exercise, __: dict[str, Any], answers: Answers) -> Answers:
     return spoiled
 
 
-def _code_in(variable: str, code: str) -> Spoil:
-    """Code in place of one answer."""
-    return lambda _, __, answers: answers | ({variable: Code(code)} if variable in answers else {})
+def _code_in(chosen: Callable[[Exercise], Part | None], code: str) -> Spoil:
+    """Code in place of one part's answer, where an exercise has it; NAME in it is the variable."""
+
+    def spoil(exercise: Exercise, _: dict[str, Any], answers: Answers) -> Answers:
+        part = chosen(exercise)
+        if part is None:
+            return answers
+        return answers | {part.variable: Code(code.replace("NAME", part.variable))}
+
+    return spoil
+
+
+def _table(exercise: Exercise) -> Part | None:
+    return next((part for part in exercise.asked if isinstance(part.answer, TableOf)), None)
+
+
+def _jacobian_of_table(exercise: Exercise) -> Part | None:
+    """The first matrix of six rows on a sheet that asks for the table."""
+    jacobians = (part for part in exercise.asked if _is_jacobian(part))
+    return next(jacobians, None) if _table(exercise) else None
+
+
+def _is_jacobian(part: Part) -> bool:
+    shape = part.answer.shape if isinstance(part.answer, Numbers) else ()
+    return len(shape) == 2 and shape[0] == 6
+
+
+def _block_of_earlier(exercise: Exercise) -> Part | None:
+    """The first 3 x 3 block that is made of earlier answers."""
+    later = (part for part in exercise.asked if part.needs and isinstance(part.answer, Numbers))
+    return next((part for part in later if getattr(part.answer, "shape", ()) == (3, 3)), None)
 
 
 HABITS = (
@@ -162,8 +193,10 @@ HABITS = (
     Habit("wrong shape", _shapes),
     Habit("not a number", _not_a_number),
     Habit("empty", lambda _, __, ___: {}),
-    Habit("syntax error", _code_in("three_axis_A", "three_axis_A = np.array([[1, 2, 3)")),
-    Habit("endless loop in one question", _code_in("rrt_J", "while True:\n    rrt_J = None")),
+    Habit("syntax error", _code_in(_block_of_earlier, "NAME = np.array([[1, 2, 3)")),
+    Habit(
+        "endless loop in one question", _code_in(_jacobian_of_table, "while True:\n    NAME = None")
+    ),
     Habit("somebody else's variant", _each(lambda answer: answer)),
 )
 

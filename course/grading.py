@@ -10,7 +10,7 @@ from importlib.metadata import version
 from typing import Any
 
 from ..exercises.exercise import Exercise, Manual
-from ..exercises.files.finding import content_hash, exercise_files
+from ..exercises.files.finding import exercise_files
 from ..grader.collecting.ask import Ask, Limits
 from ..grader.collecting.wire import Raw
 from ..grader.marking.mark import mark
@@ -18,6 +18,7 @@ from ..grader.marking.verdict import Verdict, not_graded
 from .config import Course, CourseError, Sheet, Student
 from .gradebook import Gradebook, GradeKey
 from .marks import with_marks
+from .rules import rules_hash
 from .sheet.submissions import Submission, find_submission, misnamed
 from .sheets import exercises_of
 from .variant import Record, canonical, digest, fingerprint, moved_parts
@@ -89,9 +90,7 @@ class SheetMarker:
         self._marks = gradebook.marks(sheet.name)
         self.limits = Limits(**course.settings.limits.model_dump())
         files = exercise_files(course.folder / "exercises")
-        self._hashes = [
-            content_hash(files[slug]) for slug in sheet.exercises
-        ]  # with the modules beside them
+        self._hashes = [rules_hash(files[slug]) for slug in sheet.exercises]
         self._records: dict[str, dict[str, Record]] = {}
         self._moved: dict[str, frozenset[str]] = {}
         self._read_records(accept_change=accept_change)

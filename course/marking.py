@@ -1,7 +1,7 @@
 """A marking run: progress while it goes, then grades.csv, feedback, report and the table."""
 
 import sys
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -44,16 +44,42 @@ def mark_sheets(
 
 def _with_recorded(
     course: Course, gradebook: Gradebook, marked: list[tuple[Sheet, list[Result]]]
-) -> Iterator[tuple[Sheet, list[Result]]]:
+) -> list[tuple[Sheet, list[Result]]]:
     """Marked sheets, and what the gradebook has of the others: a report is about all of the course."""
     fresh = {sheet.name: results for sheet, results in marked}
+    sheets = _reported(course)
+    return [
+        (sheet, fresh.get(sheet.name) or recorded_results(course, gradebook, sheet))
+        for sheet in sheets
+    ]
+
+
+def _reported(course: Course) -> list[Sheet]:
+    """The sheets of the report: those whose exercises can be read; it is said which are left out.
+
+    Raises:
+        KinegradeError: none can be read.
+    """
+    errors: dict[str, KinegradeError] = {}
     for sheet in course.settings.sheet:
         try:
             exercises_of(course, sheet)
         except KinegradeError as error:
-            say(f"Sheet {sheet.name} is left out of the report: {error}")
-            continue
-        yield sheet, fresh.get(sheet.name) or recorded_results(course, gradebook, sheet)
+            errors[sheet.name] = error
+    if errors and len(errors) == len(course.settings.sheet):
+        raise next(iter(errors.values()))
+    for name, error in errors.items():
+        say(f"Sheet {name} is left out of the report: {error}")
+    return [sheet for sheet in course.settings.sheet if sheet.name not in errors]
+
+
+def write_recorded(course: Course, gradebook: Gradebook) -> Path:
+    """All that follows from the marks in the gradebook, without marking; the report's path.
+
+    Raises:
+        KinegradeError: no sheet can be read.
+    """
+    return write_results(course, _with_recorded(course, gradebook, []))
 
 
 def write_results(course: Course, marked: Iterable[tuple[Sheet, Sequence[Result]]]) -> Path:

@@ -195,10 +195,9 @@ def _figure(folder: Path, name: str) -> dict[str, str]:
     file = f"{name}-{version('kinegrade')}.png"
     text = (folder / file).with_suffix(".txt")
     if not (folder / file).exists() or not text.exists():
-        from ..grader.figures.maps import describe, save
+        from ..grader.figures.maps import describe, picture
 
-        folder.mkdir(parents=True, exist_ok=True)
-        save(robot(name), folder / file)
+        write_atomically(folder / file, picture(robot(name), ".png"))
         write_atomically(text, describe(robot(name)))
     return {"file": file, "title": robot(name).title, "alt": text.read_text(encoding="utf-8")}
 

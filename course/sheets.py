@@ -80,8 +80,11 @@ def generate(
         drawn = {
             (record.student, record.exercise): record for record in gradebook.records(sheet.name)
         }
+        taken: dict[str, set[str]] = {exercise.slug: set() for exercise in exercises}
+        for record in drawn.values():
+            taken.setdefault(record.exercise, set()).add(canonical(record.numbers))
         for student in course.students:
-            fresh = _draw_missing(secret, sheet, student, exercises, drawn)
+            fresh = _draw_missing(secret, sheet, student, exercises, drawn, taken)
             records = [drawn[student.id, exercise.slug] for exercise in exercises]
             if fresh:
                 _agree(_released(course, sheet, student), exercises, records)
@@ -97,22 +100,24 @@ def _draw_missing(
     student: Student,
     exercises: list[Exercise],
     drawn: dict[tuple[str, str], Record],
+    taken: dict[str, set[str]],
 ) -> list[Record]:
-    """What was not drawn for the student before, also put into `drawn`."""
+    """What was not drawn for the student before, also put into `drawn` and into `taken`.
+
+    `taken` are the recorded numbers of each exercise as `canonical` text.
+    """
     fresh: list[Record] = []
     for exercise in exercises:
         key = (student.id, exercise.slug)
         if key in drawn:
             continue
-        taken = {
-            canonical(record.numbers)
-            for record in drawn.values()
-            if record.exercise == exercise.slug
-        }
-        drawn[key] = draw_record(
-            secret(), sheet.name, student.id, exercise, taken, sheet.pinned.get(exercise.slug)
+        pinned = sheet.pinned.get(exercise.slug)
+        record = draw_record(
+            secret(), sheet.name, student.id, exercise, taken[exercise.slug], pinned
         )
-        fresh.append(drawn[key])
+        drawn[key] = record
+        taken[exercise.slug].add(canonical(record.numbers))
+        fresh.append(record)
     return fresh
 
 

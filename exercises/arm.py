@@ -14,6 +14,7 @@ from ..solutions.robot import Robot
 from ..solutions.singularity import factor_values
 from .answers import Variant
 from .drawing import Dimension, Drawing, Triad, point
+from .exercise import ExerciseError
 
 if TYPE_CHECKING:
     from ..solutions.chain import Chain
@@ -134,7 +135,16 @@ class Arm:
 
 
 def arm_of(robot: Robot, v: Variant, names: tuple[str, ...] | None = None) -> Arm:
-    """The arm of a variant: q as drawn, and those of the robot's lengths that were drawn, or of `names` alone."""
+    """The arm of a variant: q as drawn, and those of the robot's lengths that were drawn, or of `names` alone.
+
+    Raises:
+        ExerciseError: no q was drawn.
+    """
+    if "q" not in v:
+        raise ExerciseError(
+            f"arm takes a q among the drawn numbers, one value for each of the {robot.n} joints of "
+            f"{robot.name}, got {', '.join(v) or 'no numbers'}"
+        )
     sizes = robot.parameters if names is None else names
     lengths = tuple((name, float(v[name])) for name in sizes if name in v)
     return _kept(robot, lengths, tuple(float(x) for x in v["q"]))

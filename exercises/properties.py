@@ -55,23 +55,6 @@ def is_pseudoinverse(J: ArrayLike, X: ArrayLike, tolerance: float) -> bool:
     return all(float(np.abs(miss).max()) <= tolerance for miss in misses)
 
 
-def spans_null_space(J: ArrayLike, N: ArrayLike, tolerance: float) -> bool:
-    """Whether the columns of N (n, k) are a basis of the null space of J (m, n): projectors are compared, not bases."""
-    A, basis = np.asarray(J, dtype=float), np.asarray(N, dtype=float).reshape(np.shape(J)[1], -1)
-    if np.linalg.matrix_rank(basis, 1e-6) < basis.shape[1]:
-        return False
-    Q, _ = np.linalg.qr(basis)
-    _, sizes, V = np.linalg.svd(A)
-    null = V[int((sizes > 1e-9 * sizes[0]).sum()) :].T
-    return Q.shape == null.shape and bool(np.abs(Q @ Q.T - null @ null.T).max() <= tolerance)
-
-
-def same_rotation(R: ArrayLike, S: ArrayLike, tolerance: float) -> bool:
-    """Whether two rotations (3, 3) differ by at most `tolerance` [rad]."""
-    cosine = (float(np.trace(np.asarray(R).T @ np.asarray(S))) - 1) / 2
-    return float(np.arccos(np.clip(cosine, -1, 1))) <= tolerance
-
-
 def proportional(value: ExpressionArray, reference: ExpressionArray, names: Sequence[str]) -> bool:
     """Whether a formula is another one times a constant that is not zero, such as a determinant up to its sign."""
     values = sample(names, POINTS)

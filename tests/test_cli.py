@@ -6,7 +6,7 @@ import sqlite3
 
 import pytest
 from answers import EXERCISES, variant_of
-from courses import CLASS, files_of, hand_in, make_course, notebook, right_answers
+from courses import CLASS, LEVER, files_of, hand_in, make_course, notebook, right_answers
 from kinegrade.course import cli
 from kinegrade.course.config import read_course
 
@@ -175,6 +175,24 @@ def test_a_broken_sheet_does_not_keep_another_from_being_marked(kinegrade, folde
     assert ran.code == 0
     assert grades(folder, "grades-one.csv")["ada"]["points"] == "5"
     assert "Sheet two is left out of the report: there is no exercise 'leever'" in ran.err
+
+
+def test_report_leaves_a_broken_exercise_out_as_grading_does(kinegrade, tmp_path):
+    make_course(tmp_path, more='[[sheet]]\nname = "two"\nexercises = ["stick"]\n')
+    stick = tmp_path / "exercises" / "stick.py"
+    stick.write_text(LEVER.replace("lever", "stick"), encoding="utf-8")
+    kinegrade("generate", "-c", tmp_path)
+    course = read_course(tmp_path)
+    hand_in(course, "ada", right_answers(course, "ada"))
+    stick.write_text("EXERCISE = 1 / 0\n", encoding="utf-8")
+    graded = kinegrade("grade", "one", "-c", tmp_path)
+    reported = kinegrade("report", "-c", tmp_path)
+    (said,) = [line for line in graded.err.splitlines() if "left out" in line]
+    assert said.startswith(
+        f"Sheet two is left out of the report: {stick}: the exercise file stopped with ZeroDiv"
+    )
+    assert (graded.code, reported.code, reported.err.splitlines()) == (0, 0, [said])
+    assert grades(tmp_path, "grades-one.csv")["ada"]["points"] == "5"
 
 
 def test_who_is_not_on_the_roster_is_mentioned(kinegrade, folder):
@@ -407,9 +425,8 @@ def test_plot_of_an_unknown_robot_is_one_sentence(kinegrade, tmp_path):
 
 
 def test_plot_writes_a_figure_and_says_what_it_shows(kinegrade, tmp_path, monkeypatch):
-    drawn = []
     monkeypatch.setattr(
-        "kinegrade.grader.figures.maps.save", lambda arm, path: drawn.append((arm.name, path))
+        "kinegrade.grader.figures.maps.picture", lambda arm, suffix: f"{arm.name}{suffix}".encode()
     )
     monkeypatch.setattr(
         "kinegrade.grader.figures.maps.describe", lambda arm: f"What {arm.name} reaches."
@@ -420,7 +437,10 @@ def test_plot_writes_a_figure_and_says_what_it_shows(kinegrade, tmp_path, monkey
         f"{tmp_path / 'p.svg'}\n",
         "What planar_2r reaches.\n",
     )
-    assert drawn == [("planar_2r", tmp_path / "p.svg")]
+    assert (tmp_path / "p.svg").read_bytes() == b"planar_2r.svg"
+    nowhere = kinegrade("plot", "planar_2r", "-o", tmp_path / "p.svg" / "p.svg")
+    assert (nowhere.code, nowhere.out) == (1, "")
+    assert "p.svg: " in nowhere.err
 
 
 def failing(error):

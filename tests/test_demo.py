@@ -3,13 +3,16 @@
 import csv
 import sqlite3
 
+import numpy as np
 import pytest
 from courses import files_of
 from kinegrade.course.config import CourseError, read_course
-from kinegrade.course.demo import COMMENT, HABITS, SHEETS, run_demo
+from kinegrade.course.demo import COMMENT, HABITS, SHEETS, Code, run_demo
+from kinegrade.course.drawn import drawn
 from kinegrade.course.sheets import exercises_of
 from kinegrade.exercises.answers import Manual
-from kinegrade.exercises.files.finding import exercise_files
+from kinegrade.exercises.exercise import references
+from kinegrade.exercises.files.finding import exercise_files, load
 
 STUDENTS = [f"student{i:02}" for i in range(1, len(HABITS) + 1)]
 MISTAKES = {
@@ -103,6 +106,44 @@ def test_the_demonstration_has_every_exercise_on_one_sheet():
     assert sorted(slug for *_, slugs in SHEETS for slug in slugs.split()) == sorted(
         exercise_files()
     )
+
+
+@pytest.fixture
+def elsewhere(tmp_path):
+    """The exercise that asks for a table, by another name."""
+    path = tmp_path / "elsewhere.py"
+    text = exercise_files()["rrt"].read_text(encoding="utf-8")
+    path.write_text(text.replace('    "rrt",\n', '    "elsewhere",\n'), encoding="utf-8")
+    return load(path)
+
+
+def spoiled(exercise, title):
+    (habit,) = (habit for habit in HABITS if habit.title == title)
+    v = drawn(exercise, np.random.default_rng(0))
+    right = references(exercise, v)
+    handed = habit.spoil(exercise, v, right)
+    return {
+        name.removeprefix(f"{exercise.slug}_"): (right[name], answer)
+        for name, answer in handed.items()
+    }
+
+
+def test_one_wrong_sign_of_a_table_is_gone_on_with_whatever_the_exercise_is_called(elsewhere):
+    found = spoiled(elsewhere, "one sign wrong")
+    before, after = ([str(cell) for row in table.rows for cell in row] for table in found["dh"])
+    assert [i for i, pair in enumerate(zip(before, after, strict=True)) if pair[0] != pair[1]] == [
+        3
+    ]
+    same = {name for name, (right, handed) in found.items() if handed is right}
+    assert {"dh", "T", "J", "J_symbolic"} == {*found} - same
+
+
+def test_code_stands_in_a_part_that_is_found_by_its_kind(elsewhere):
+    found = spoiled(elsewhere, "endless loop in one question")
+    codes = {name: answer.text for name, (_, answer) in found.items() if isinstance(answer, Code)}
+    assert codes == {"J": "while True:\n    elsewhere_J = None"}
+    broken = spoiled(load(exercise_files()["three_axis"]), "syntax error")
+    assert [name for name, (_, answer) in broken.items() if isinstance(answer, Code)] == ["A"]
 
 
 def test_the_demonstration_leaves_another_course_alone(tmp_path):

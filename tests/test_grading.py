@@ -6,6 +6,7 @@ import sqlite3
 import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
 from threading import Event
 
 import numpy as np
@@ -337,6 +338,23 @@ def test_a_change_in_a_module_beside_the_exercise_makes_its_marks_stale(folder, 
     assert len(marked) == 3
     (folder / "exercises" / "arms.py").write_text("share = 2.0\n", encoding="utf-8")
     assert statuses(graded(folder)["ada"]) == ["correct", "not_graded"]  # the answers moved, too
+
+
+def test_a_change_in_what_marking_imports_makes_marks_stale(folder, monkeypatch):
+    (folder / "exercises" / "arms.py").write_text(
+        "from kinegrade.solutions.sections import lines\n", encoding="utf-8"
+    )
+    edit(folder, "import numpy", "import arms\nimport numpy")
+    before = graded(folder)
+    real, marked = grading.mark, []
+    monkeypatch.setattr(grading, "mark", lambda e, *rest: marked.append(e.slug) or real(e, *rest))
+    read = Path.read_bytes
+    for name, times in (("lines.py", 3), ("compare.py", 6), ("maps.py", 6)):
+        monkeypatch.setattr(
+            Path, "read_bytes", lambda path, name=name: read(path) + b"\n" * (path.name == name)
+        )
+        assert graded(folder) == before
+        assert len(marked) == times, name
 
 
 def test_an_exercise_that_needs_numbers_it_did_not_draw_waits_and_cannot_be_accepted(

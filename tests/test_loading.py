@@ -5,9 +5,9 @@ import threading
 
 import pytest
 from kinegrade.exercises.exercise import ExerciseError
-from kinegrade.exercises.files.finding import content_hash, exercise_files, find, load
+from kinegrade.exercises.files.finding import exercise_files, find, load
 from kinegrade.exercises.files.loading import _package_of, stopped
-from kinegrade.exercises.files.neighbours import HOME
+from kinegrade.exercises.files.neighbours import HOME, read_source
 from test_catalogue import GOOD
 
 REACH = (
@@ -62,23 +62,23 @@ def test_modules_of_the_same_name_in_two_courses_never_meet(tmp_path):
 
 def test_a_changed_module_is_loaded_again_and_moves_the_hash(tmp_path):
     path = course(tmp_path)
-    first, before = load(path), content_hash(path)
+    first, before = load(path), read_source(path).hash
     assert load(path) is first
     course(
         tmp_path, arms=ARMS.replace("scale = 2", "scale = 5")
     )  # as long as before, and in the same second
     assert answer(path) == 5
-    assert content_hash(path) != before
+    assert read_source(path).hash != before
     course(tmp_path)
-    assert content_hash(path) == before
+    assert read_source(path).hash == before
     assert load(path) is first
 
 
 def test_a_module_that_is_not_imported_does_not_move_the_hash(tmp_path):
     path = course(tmp_path)
-    before = content_hash(path)
+    before = read_source(path).hash
     course(tmp_path, notes="x = 1\n", reached="raise RuntimeError\n")
-    assert content_hash(path) == before
+    assert read_source(path).hash == before
 
 
 def test_without_modules_beside_it_the_hash_is_that_of_the_file(tmp_path):
@@ -86,18 +86,18 @@ def test_without_modules_beside_it_the_hash_is_that_of_the_file(tmp_path):
 
     path = tmp_path / "own.py"
     path.write_text(GOOD, encoding="utf-8")
-    assert content_hash(path) == sha256(GOOD.encode()).hexdigest()
+    assert read_source(path).hash == sha256(GOOD.encode()).hexdigest()
 
 
 def test_modules_may_import_each_other_also_in_a_circle_and_late(tmp_path):
     arms = "import shapes\nscale = 7\ndef planar(v):\n    from shapes import area\n    return area(v)\n"
     shapes = "import arms\nimport numpy as np\ndef area(v):\n    return np.array([arms.scale * v['a']])\n"
     path = course(tmp_path, arms=arms, shapes=shapes)
-    before = content_hash(path)
+    before = read_source(path).hash
     assert answer(path) == 7
     course(tmp_path, arms=arms, shapes=shapes.replace("arms.scale", "-arms.scale"))
     assert answer(path) == -7
-    assert content_hash(path) != before
+    assert read_source(path).hash != before
 
 
 def test_what_a_function_imports_late_is_what_was_there_when_the_exercise_was_loaded(tmp_path):

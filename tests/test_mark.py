@@ -5,12 +5,16 @@ import json
 
 import numpy as np
 import pytest
-from answers import EXERCISES, part_of, raws, raws_of, right_raws, telling, variant_of, wrong
-from kinegrade.exercises.exercise import Manual, references
+from answers import EXERCISES, part_of, raw, raws, raws_of, right_raws, telling, variant_of, wrong
+from courses import exercise_of
+from kinegrade.exercises.exercise import Manual, Mistake, Part, TableOf, references
 from kinegrade.grader.collecting.wire import Raw
+from kinegrade.grader.kinds.markers import read
 from kinegrade.grader.marking.answer_key import AnswerKey
 from kinegrade.grader.marking.mark import mark
+from kinegrade.grader.marking.own_work import remarks
 from kinegrade.grader.marking.verdict import Verdict
+from kinegrade.solutions.table import read_table
 
 SEEDS = range(4)
 
@@ -227,6 +231,76 @@ def test_a_failure_of_ours_leaves_the_part_not_graded_and_the_others_marked():
     }
     (failed,) = (verdict for verdict in verdicts if verdict.part == name)
     assert (failed.status, failed.points) == ("not_graded", None)
+
+
+@pytest.mark.parametrize(
+    ("cells", "status", "words"),
+    [
+        ([["q1", "l1", "0", "pi/2"], ["theta2", "0", "l2", "0"]], "correct", ""),
+        ([["q1", "0.5", "0", "1.5708"], ["q2", "0", "0.3", "0"]], "correct", ""),
+        (
+            [["q1", "l1", "0", "-pi/2"], ["q2", "0", "l2", "0"]],
+            "partly",
+            "The twist turns the other way.",
+        ),
+        (
+            [["0.4", "l1", "0", "pi/2"], ["q2", "0", "l2", "0"]],
+            "failed",
+            "Row 1, theta: takes q1, got 0.4.",
+        ),
+        ([["q3", "l1", "0", "pi/2"], ["q2", "0", "l2", "0"]], "failed", "unknown name 'q3'"),
+        (
+            np.array([[0.4, 0.5, 0, 1.5708], [0.2, 0, 0.3, 0]]),
+            "failed",
+            "Row 1, theta: takes q1, got 0.4.",
+        ),
+    ],
+)
+@pytest.mark.parametrize("convention", ["standard", "modified"])
+def test_a_table_is_asked_without_a_q(cells, status, words, convention):
+    def table(twist):
+        return read_table(
+            [["q1", "l1", "0", twist], ["q2", "0", "l2", "0"]], ("q1", "q2", "l1", "l2"), convention
+        )
+
+    slip = Mistake("The twist turns the other way.", lambda *_: table("-pi/2"))
+    answer = TableOf(("l1", "l2"), "RR", convention)
+    asked = Part("t_dh", "The table", 3, answer, lambda *_: table("pi/2"), mistakes=(slip,))
+    exercise = exercise_of(
+        asked, units={"l1": "m", "l2": "m"}, draw=lambda _: {"l1": 0.5, "l2": 0.3}
+    )
+    handed = {"t_dh": raw(cells)}
+    (verdict,) = mark(exercise, exercise.draw(np.random.default_rng(0)), handed)
+    assert verdict.status == status
+    assert words in text_of(verdict)
+    (remark,) = remarks(exercise, {"l1": 0.5, "l2": 0.3}, handed, consistency=True)
+    assert remark.ok is (status != "failed")
+
+
+@pytest.mark.parametrize("by_hand", [False, True])
+def test_a_reader_that_fails_leaves_its_part_not_graded_and_the_others_marked(
+    monkeypatch, caplog, by_hand
+):
+    exercise, v = EXERCISES["pseudoinverse"], variant_of("pseudoinverse")
+    part = next(part for part in exercise.asked if isinstance(part.answer, Manual) is by_hand)
+
+    def failing(answer, raw, v):
+        if answer is part.answer:
+            raise RuntimeError("a fault in a reader")
+        return read(answer, raw, v)
+
+    monkeypatch.setattr("kinegrade.grader.marking.mark.read", failing)
+    verdicts = {verdict.part: verdict for verdict in mark(exercise, v, right_raws(exercise, v))}
+    failed = verdicts.pop(part.variable)
+    assert (failed.status, failed.points) == ("not_graded", None)
+    assert "The grader failed on this part" in text_of(failed)
+    assert f"{part.variable} could not be marked" in caplog.text
+    others = [
+        one
+        for one in exercise.asked
+        if one.variable in verdicts and not isinstance(one.answer, Manual)
+    ]
+    assert [verdicts[one.variable].status for one in others] == ["correct"] * len(others)
 
 
 @pytest.mark.parametrize("spoil", [False, True])

@@ -5,6 +5,7 @@ import pytest
 from answers import EXERCISES, part_of, raws_of, right_raws, variant_of
 from kinegrade.exercises.exercise import Manual, references
 from kinegrade.grader.collecting.wire import Raw
+from kinegrade.grader.marking.mark import mark
 from kinegrade.grader.marking.own_work import remarks
 
 
@@ -58,6 +59,38 @@ def test_what_is_marked_by_hand_is_there_or_not():
     assert (there.ok, there.text) == (True, "is there; it is marked by hand")
     missing = told("pseudoinverse", {part.variable: Raw("missing")})[part.variable]
     assert (missing.ok, missing.text) == (False, "not answered; it is marked by hand")
+
+
+@pytest.mark.parametrize(
+    ("raw", "status", "words"),
+    [
+        (Raw("text", "My reason."), "not_graded", "is there"),
+        (Raw("text", ["My reason.", ""]), "not_graded", "is there"),
+        (Raw("text", " \n\t"), "missing", "not answered"),
+        (Raw("text", ["", " "]), "missing", "not answered"),
+        (Raw("missing"), "missing", "not answered"),
+        (Raw("num", np.ones(2)), "failed", "takes text in quotes"),
+        (Raw("error", "cell 3 stopped"), "failed", "cell 3 stopped"),
+    ],
+)
+def test_check_and_marking_agree_on_what_is_there_to_be_marked_by_hand(raw, status, words):
+    exercise, v = EXERCISES["pseudoinverse"], variant_of("pseudoinverse")
+    (part,) = (part for part in exercise.asked if isinstance(part.answer, Manual))
+    remark = told("pseudoinverse", {part.variable: raw})[part.variable]
+    assert (remark.ok, remark.text) == (status == "not_graded", f"{words}; it is marked by hand")
+    marked = {verdict.part: verdict for verdict in mark(exercise, v, {part.variable: raw})}
+    assert marked[part.variable].status == status
+
+
+@pytest.mark.parametrize("raw", [Raw("text", " "), Raw("text", [["", ""], [" ", ""]])])
+def test_blank_text_is_no_answer_whatever_is_asked(exercise, raw):
+    v = variant_of(exercise.slug)
+    raws = {part.variable: raw for part in exercise.asked}
+    assert {verdict.status for verdict in mark(exercise, v, raws)} == {"missing"}
+    found = [
+        remark.text.partition(";")[0] for remark in remarks(exercise, v, raws, consistency=True)
+    ]
+    assert found == ["not answered"] * len(exercise.asked)
 
 
 def test_an_exam_tells_shape_and_nothing_more():

@@ -1,6 +1,7 @@
 """Feedback and report: whole pages that need nothing else, escape everything, and never print a reference value."""
 
 import math
+import os
 import re
 from html import escape, unescape
 from html.parser import HTMLParser
@@ -312,11 +313,9 @@ def test_a_report_of_exercises_without_a_robot_has_no_figures(course, monkeypatc
 def test_a_map_is_drawn_once_per_version(tmp_path, monkeypatch):
     drawn = []
 
-    def save(arm, path):
-        drawn.append(arm.name)
-        path.write_bytes(b"png")
-
-    monkeypatch.setattr("kinegrade.grader.figures.maps.save", save)
+    monkeypatch.setattr(
+        "kinegrade.grader.figures.maps.picture", lambda arm, _: drawn.append(arm.name) or b"png"
+    )
     monkeypatch.setattr("kinegrade.grader.figures.maps.describe", lambda arm: f"map of {arm.name}")
     figures = [pages._figure(tmp_path / "report", "planar_2r") for _ in range(2)]
     assert drawn == ["planar_2r"]
@@ -327,11 +326,22 @@ def test_a_map_is_drawn_once_per_version(tmp_path, monkeypatch):
     assert len(drawn) == 2
 
 
+def test_a_map_is_on_the_disk_before_it_takes_the_place_of_another(tmp_path, monkeypatch):
+    done = []
+    monkeypatch.setattr("kinegrade.grader.figures.maps.picture", lambda *_: b"png")
+    monkeypatch.setattr("kinegrade.grader.figures.maps.describe", lambda _: "a map")
+    sync, rename = os.fsync, os.replace
+    monkeypatch.setattr(os, "fsync", lambda file: done.append("synced") or sync(file))
+    monkeypatch.setattr(
+        os, "replace", lambda *paths: done.append(paths[1].suffix) or rename(*paths)
+    )
+    pages._figure(tmp_path / "report", "planar_2r")
+    assert done == ["synced", ".png", "synced", ".txt"]
+
+
 def test_a_map_without_its_description_is_drawn_again(tmp_path, monkeypatch):
     monkeypatch.setattr(pages, "version", lambda _: "1")
-    monkeypatch.setattr(
-        "kinegrade.grader.figures.maps.save", lambda _, path: path.write_bytes(b"whole")
-    )
+    monkeypatch.setattr("kinegrade.grader.figures.maps.picture", lambda *_: b"whole")
     monkeypatch.setattr("kinegrade.grader.figures.maps.describe", lambda _: "a map")
     (tmp_path / "planar_2r-1.png").write_bytes(b"ha")
     pages._figure(tmp_path, "planar_2r")

@@ -224,6 +224,14 @@ def test_without_a_robot_there_is_no_arm_no_statement_and_no_size():
     refused(lonely, match="scale, a typical length", robot=None, statement="x")
 
 
+def test_an_arm_without_a_drawn_q_is_a_sentence():
+    lame = made(J, draw=lambda _: {"l1": 1.0, "l2": 0.5})
+    with pytest.raises(
+        ExerciseError, match=r"exercise made: solve of made_J: arm takes a q among .*, got l1, l2"
+    ):
+        references(lame, lame.draw(np.random.default_rng(0)))
+
+
 def test_a_function_of_star_parameters_is_refused():
     refused(
         part(1, Numbers((2,), "1"))(lambda *many: many).called("x"),

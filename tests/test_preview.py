@@ -38,6 +38,7 @@ def test_new_never_overwrites_and_keeps_names_apart(kinegrade, tmp_path):
 def test_a_preview_shows_sheet_solution_and_every_known_mistake(slug):
     exercise = EXERCISES[slug]
     html = preview_page(exercise, 1)
+    assert f"after {exercise.source}. It holds answers" in html
     assert html.count("<summary>Worked solution</summary>") == len(exercise.asked)
     assert not re.search(
         r"\$|@[a-z]+@|<[a-z_]+_[a-z]+>", re.sub(r"<pre>.*?</pre>", "", html, flags=re.DOTALL)

@@ -228,6 +228,21 @@ def test_what_does_not_fit_the_robot_is_refused_when_the_file_loads(question, ma
         made_of("three_axis", ask.jacobian(name="J0"), question)
 
 
+def test_a_ready_made_question_of_an_arm_without_a_drawn_q_is_refused_with_a_sentence():
+    robot = ROBOTS["rrt_offset"]
+    with pytest.raises(
+        ExerciseError, match=r"arm takes a q among the drawn numbers, one value for each of the 3"
+    ):
+        exercise(
+            "made",
+            title="T",
+            source="S",
+            robot=robot,
+            draw=lambda _: {"d1": 0.4},
+            parts=[ask.dh_table()],
+        )
+
+
 def test_formulas_are_asked_of_drawn_lengths_only():
     robot = ROBOTS["puma560"]
     with pytest.raises(

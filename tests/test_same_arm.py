@@ -2,11 +2,10 @@
 
 import numpy as np
 import pytest
-from answers import EXERCISES, part_of, raws, variant_of
+from answers import EXERCISES, part_of, variant_of
 from kinegrade.exercises.answers import TableOf
 from kinegrade.exercises.exercise import references
 from kinegrade.grader.kinds.same_arm import describes_same_arm, repairs
-from kinegrade.grader.marking.mark import mark
 from kinegrade.solutions.table import read_table
 
 RRT = EXERCISES["rrt"]

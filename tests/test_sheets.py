@@ -9,6 +9,7 @@ import sys
 import pytest
 from answers import EXERCISES, SLUGS
 from courses import BUNDLED, CLASS, LEVER, enrol, files_of, handed_out, make_course
+from kinegrade.course import sheets
 from kinegrade.course.config import CourseError, read_course
 from kinegrade.course.gradebook import Gradebook
 from kinegrade.course.sheets import exercises_of, generate
@@ -77,6 +78,20 @@ def test_another_secret_gives_other_numbers(tmp_path, class_of_three):
         ({canonical(r.numbers) for r in records(course)}) for course in (class_of_three, other)
     )
     assert not mine & theirs
+
+
+def test_numbers_are_compared_with_those_of_others_without_going_through_all_of_them_again(
+    tmp_path, monkeypatch
+):
+    compared = []
+    monkeypatch.setattr(
+        sheets, "canonical", lambda numbers: compared.append(1) or canonical(numbers)
+    )
+    course = handed_out(make_course(tmp_path, students=[(f"s{i}", f"S {i}") for i in range(8)]))
+    enrol(tmp_path, [(f"s{i}", f"S {i}") for i in range(12)])
+    handed_out(tmp_path)
+    assert len({canonical(record.numbers) for record in records(course)}) == 12
+    assert len(compared) == 8 + (8 + 4)  # once when drawn, and once when a later run reads it
 
 
 def test_a_second_sheet_of_the_same_exercise_has_other_numbers(tmp_path):

@@ -157,6 +157,7 @@ def test_the_command_prints_a_table_and_exits_by_what_it_found(tmp_path, kinegra
     good = kinegrade("validate", "lever", "--course", folder, "--draws", 3)
     assert (good.code, "1 of 1 exercises are valid" in good.err) == (0, True)
     assert "lever" in good.out
+    assert good.out.rstrip().endswith(" made for tests")
     lever_file(folder / "exercises", *CHANGES["nonsense"])
     bad = kinegrade("validate", "lever", "--course", folder, "--draws", 3)
     assert bad.code == 1
@@ -169,6 +170,7 @@ def test_the_command_prints_a_table_and_exits_by_what_it_found(tmp_path, kinegra
         kinegrade("validate", "lever", "--course", folder, "--draws", 3, "--json").out
     )
     assert data[0]["failures"][0]["kind"] == "nonsense"
+    assert data[0]["source"] == "made for tests"
 
 
 def test_a_file_that_cannot_be_loaded_is_a_failure_and_stops_no_other(tmp_path):

@@ -47,6 +47,7 @@ class Validation:
     seconds_to_draw: float
     failures: tuple[Failure, ...]
     named: tuple[str, ...] = ()
+    source: str = ""
 
 
 def chosen(names: Sequence[str], folder: Path) -> list[Path]:
@@ -223,5 +224,6 @@ def _look_at(path: Path, seeds: Sequence[int]) -> _Looked:
         seconds,
         tuple(failures),
         exercise.named,
+        exercise.source,
     )
     return validation, texts

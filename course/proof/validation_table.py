@@ -7,6 +7,7 @@ from dataclasses import asdict
 
 from rich.box import SIMPLE_HEAD
 from rich.console import Console
+from rich.markup import escape
 from rich.table import Table
 
 from ..console import say
@@ -15,7 +16,7 @@ from .validate import KINDS, Validation, summary
 
 def show_validations(validations: Sequence[Validation]) -> None:
     """One line for every exercise on stdout, then the first failures of each."""
-    console = Console() if sys.stdout.isatty() else Console(width=160)
+    console = Console() if sys.stdout.isatty() else Console(width=180)
     console.print(table_of(validations))
     for validation in validations:
         for line in summary(validation):
@@ -25,11 +26,12 @@ def show_validations(validations: Sequence[Validation]) -> None:
 
 
 def table_of(validations: Sequence[Validation]) -> Table:
-    """A column for each thing that was looked at: ✓, or how many draws failed."""
+    """A column for each thing that was looked at: ✓, or how many draws failed; and the source."""
     table = Table(header_style="bold", pad_edge=False, box=SIMPLE_HEAD)
     table.add_column("exercise", no_wrap=True)
     for name in ("parts", "points", "draws", "slowest draw", *KINDS):
         table.add_column(name, justify="right", no_wrap=True)
+    table.add_column("source")
     for validation in validations:
         failed = {kind: {f.seed for f in validation.failures if f.kind == kind} for kind in KINDS}
         table.add_row(
@@ -39,6 +41,7 @@ def table_of(validations: Sequence[Validation]) -> Table:
             str(validation.draws),
             f"{1000 * validation.seconds_to_draw:.1f} ms",
             *(f"✗ {len(failed[kind])}" if failed[kind] else "✓" for kind in KINDS),
+            escape(validation.source),
         )
     return table
 

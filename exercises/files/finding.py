@@ -5,9 +5,9 @@ from pathlib import Path
 from ...solutions.errors import did_you_mean
 from ..exercise import Exercise, ExerciseError
 from .loading import EXERCISE_WANTED, load
-from .neighbours import content_hash, defines_exercise
+from .neighbours import defines_exercise
 
-__all__ = ["content_hash", "defines_exercise", "exercise_files", "find", "load"]
+__all__ = ["defines_exercise", "exercise_files", "find", "load"]
 
 
 CATALOGUE = Path(__file__).resolve().parents[1] / "catalogue"

@@ -58,15 +58,6 @@ def read_source(path: Path) -> Source:
     return Source(path, text, beside)
 
 
-def content_hash(path: Path) -> str:
-    """A hash of an exercise file and of all modules beside it that it imports, however indirectly.
-
-    Raises:
-        ExerciseError: a file cannot be read.
-    """
-    return read_source(path).hash
-
-
 def defines_exercise(path: Path) -> bool:
     """Whether a file has a line that starts with EXERCISE; it is not run to find out."""
     return _is_exercise(path.read_bytes())

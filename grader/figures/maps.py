@@ -1,11 +1,9 @@
 # pyright: basic
 """Figures of where a robot is singular and where its tool gets, with the finding in words."""
 
-import os
 import re
-from contextlib import suppress
 from functools import lru_cache
-from pathlib import Path
+from io import BytesIO
 from typing import TYPE_CHECKING, Any
 
 import matplotlib as mpl
@@ -47,7 +45,7 @@ STYLE: Any = {
 
 
 class FigureError(KinegradeError):
-    """A figure that cannot be drawn or written."""
+    """A figure that cannot be drawn."""
 
 
 def figure(robot: "Robot", parameters: Parameters = None) -> Figure:
@@ -70,27 +68,21 @@ def figure(robot: "Robot", parameters: Parameters = None) -> Figure:
     return drawn
 
 
-def save(robot: "Robot", path: Path, parameters: Parameters = None) -> None:
-    """Writes the figure as .png, .svg or .pdf, the same bytes every time, and never half a file.
+def picture(robot: "Robot", suffix: str, parameters: Parameters = None) -> bytes:
+    """The figure as a file that ends in .png, .svg or .pdf, the same bytes every time.
 
     Raises:
         FigureError: Another suffix.
     """
-    suffix = path.suffix.lower()
-    if suffix not in {".png", ".svg", ".pdf"}:
-        raise FigureError(f"A figure takes a name in .png, .svg or .pdf, got {path.name!r}.")
+    kind = suffix.lower()
     dates = {".png": {"Software": None}, ".svg": {"Date": None}, ".pdf": {"CreationDate": None}}
-    unfinished = path.with_name(f".{path.name}.{os.getpid()}.part")
+    if kind not in dates:
+        raise FigureError(f"A figure takes a name in .png, .svg or .pdf, got one in {suffix!r}.")
     drawn = figure(robot, parameters)
-    try:
-        with mpl.rc_context(STYLE):
-            drawn.savefig(unfinished, format=suffix[1:], metadata=dates[suffix])
-        unfinished.replace(path)
-    except OSError as error:
-        raise FigureError(f"{path} cannot be written: {error.strerror or error}.") from error
-    finally:
-        with suppress(OSError):
-            unfinished.unlink(missing_ok=True)
+    file = BytesIO()
+    with mpl.rc_context(STYLE):
+        drawn.savefig(file, format=kind[1:], metadata=dates[kind])
+    return file.getvalue()
 
 
 def joint_map(robot: "Robot", parameters: Parameters = None) -> JointMap:

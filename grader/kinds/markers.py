@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from types import MappingProxyType
-from typing import Any
+from typing import Any, cast
 
 from ...exercises.answers import (
     Answer,
@@ -46,11 +46,19 @@ def read(answer: Answer, raw: Raw, v: Variant) -> Any:
     Raises:
         Unreadable: nothing was handed in, or it is of another kind or shape; the sentence says what was expected.
     """
-    if raw.kind == "missing":
+    if raw.kind == "missing" or (raw.kind == "text" and _is_blank(raw.value)):
         raise Unreadable(UNANSWERED)
     if raw.kind == "error":
         raise Unreadable(str(raw.value))
     return marker_of(answer).read(answer, raw, v)
+
+
+def _is_blank(typed: Any) -> bool:
+    """Whether text, or all text of a list, is nothing but space: no answer, whatever is asked."""
+    if isinstance(typed, list):
+        entries = cast("list[Any]", typed)
+        return bool(entries) and all(map(_is_blank, entries))
+    return not str(typed).strip()
 
 
 def handed_in(answer: Answer, value: Any, v: Variant) -> Raw:

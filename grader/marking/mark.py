@@ -25,6 +25,7 @@ LEAST_FOLLOWED = (
 )
 UNASKED = "Your answer is kept; the exercise cannot call a function yet: "
 BY_HAND = "It is marked by hand."
+OUR_FAILURE = "The grader failed on this part; your answer is kept."
 log = logging.getLogger(__name__)
 
 
@@ -52,7 +53,7 @@ def mark(
     """
     sheet = _Sheet(key or AnswerKey(exercise, v), {}, {}, set())
     for part in exercise.asked:
-        raw = _present(raws.get(part.variable, Raw("missing")))
+        raw = raws.get(part.variable, Raw("missing"))
         if isinstance(part.answer, Manual):
             sheet.verdicts[part.variable] = _by_hand(part, raw, v)
             continue
@@ -71,10 +72,9 @@ def mark_part(key: AnswerKey, part: Part, raw: Raw) -> Verdict:
 def _mark_raw(sheet: _Sheet, part: Part, raw: Raw, others: Others) -> Verdict:
     if raw.kind == "unasked":
         return not_graded(part.variable, part.points, f"{UNASKED}{raw.value}.")
-    try:
-        answer = read(part.answer, raw, sheet.key.v)
-    except Unreadable as error:
-        return _unreadable(part, raw, str(error))
+    answer, unjudged = _read(part, raw, sheet.key.v)
+    if unjudged:
+        return unjudged
     verdict = _mark_readable(sheet, part, answer, others)
     sheet.answers[part.variable] = answer
     reading = " ".join(
@@ -88,9 +88,7 @@ def _mark_readable(sheet: _Sheet, part: Part, answer: Any, others: Others) -> Ve
         verdict = _verdict(sheet, part, answer)
     except Exception:
         log.exception("%s could not be marked", part.variable)
-        verdict = not_graded(
-            part.variable, part.points, "The grader failed on this part; your answer is kept."
-        )
+        verdict = not_graded(part.variable, part.points, OUR_FAILURE)
     if verdict.status != "correct" and (owner := owner_of(part, answer, others)):
         sheet.unfollowed.add(part.variable)
         found = Finding(f"This is the reference answer of {owner}'s variant.", private=True)
@@ -103,17 +101,19 @@ def _by_hand(part: Part, raw: Raw, v: Variant) -> Verdict:
     assert isinstance(part.answer, Manual)  # noqa: S101 - asked by the caller
     if part.answer.on_paper:
         return not_graded(part.variable, part.points, BY_HAND)
+    text, unjudged = _read(part, raw, v)
+    return unjudged or replace(not_graded(part.variable, part.points, BY_HAND), answer=text)
+
+
+def _read(part: Part, raw: Raw, v: Variant) -> tuple[Any, Verdict | None]:
+    """The answer, or the verdict of one that was not read, be it the student's fault or ours."""
     try:
-        text = read(part.answer, raw, v)
+        return read(part.answer, raw, v), None
     except Unreadable as error:
-        return _unreadable(part, raw, str(error))
-    return replace(not_graded(part.variable, part.points, BY_HAND), answer=text)
-
-
-def _present(raw: Raw) -> Raw:
-    """The raw value, where blank text is as good as nothing."""
-    blank = raw.kind == "text" and isinstance(raw.value, str) and not raw.value.strip()
-    return Raw("missing") if blank else raw
+        return None, _unreadable(part, raw, str(error))
+    except Exception:
+        log.exception("%s could not be marked", part.variable)
+        return None, not_graded(part.variable, part.points, OUR_FAILURE)
 
 
 def _with_note(verdict: Verdict, raw: Raw) -> Verdict:
@@ -126,7 +126,7 @@ def _with_note(verdict: Verdict, raw: Raw) -> Verdict:
 
 
 def _unreadable(part: Part, raw: Raw, sentence: str) -> Verdict:
-    if raw.kind == "missing":
+    if sentence == UNANSWERED:
         return Verdict(part.variable, "missing", 0.0, part.points)
     if sentence.startswith(UNANSWERED):  # a function as it was handed out
         return Verdict(

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 
@@ -12,8 +12,6 @@ from ..kinds.markers import read
 from ..reading.unreadable import Unreadable
 from .answer_key import AnswerKey
 from .judge import judged
-
-Mode = Literal["practice", "graded", "exam"]
 
 
 @dataclass(frozen=True)
@@ -37,16 +35,7 @@ def remarks(
     for part in exercise.asked:
         raw = raws.get(part.variable, Raw("missing"))
         if isinstance(part.answer, Manual):
-            text = (
-                "is on paper"
-                if part.answer.on_paper
-                else "is there"
-                if raw.kind == "text"
-                else "not answered"
-            )
-            yield Remark(
-                part.variable, ok=text != "not answered", text=f"{text}; it is marked by hand"
-            )
+            yield _by_hand(part, part.answer, raw, v)
             continue
         if raw.kind == "unasked":
             yield Remark(part.variable, ok=True, text=f"not checked: {raw.value}")
@@ -60,6 +49,17 @@ def remarks(
             yield _fits(key, part, answers)
         else:
             yield Remark(part.variable, ok=True, text="can be read")
+
+
+def _by_hand(part: Part, answer: Manual, raw: Raw, v: Variant) -> Remark:
+    """Whether there is something to mark, as marking has it."""
+    if answer.on_paper:
+        return Remark(part.variable, ok=True, text="is on paper; it is marked by hand")
+    try:
+        read(answer, raw, v)
+    except Unreadable as error:
+        return Remark(part.variable, ok=False, text=f"{error}; it is marked by hand")
+    return Remark(part.variable, ok=True, text="is there; it is marked by hand")
 
 
 def _fits(key: AnswerKey, part: Part, answers: Mapping[str, Any]) -> Remark:
