@@ -3,7 +3,7 @@
 import math
 import operator
 import re
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from importlib import import_module
 from typing import Any
@@ -34,10 +34,7 @@ __all__ = [
     "parse",
 ]
 
-PLAIN: dict[str, Callable[..., Any]] = {
-    "+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv,
-    "^": operator.pow, "neg": operator.neg, "abs": operator.abs,
-}  # fmt: skip
+PLAIN = {"+": "add", "-": "sub", "*": "mul", "/": "truediv", "^": "pow", "neg": "neg", "abs": "abs"}
 GREEK = frozenset({"theta", "alpha", "beta", "gamma", "phi", "psi", "omega", "pi", "xi"})
 
 
@@ -106,8 +103,8 @@ class Expression:
             elif kind == "n":
                 results.append(sympy.Rational(repr(content[0])))
             else:
-                operation = PLAIN.get(kind) or getattr(sympy, kind)
-                results.append(operation(*(results[i] for i in content)))
+                function = _sympy_function(sympy, kind)
+                results.append(function(*(results[i] for i in content)))
         return results[-1]
 
     def put(self, values: Mapping[str, "Expression"]) -> "Expression":
@@ -127,12 +124,18 @@ class Expression:
     def __str__(self) -> str:
         """Text that parses back to the same value."""
         printed = list[Printed]()
-        for kind, *content in self.nodes:
-            if kind in ("n", "s"):
-                printed.append(printed_leaf(kind, content[0]))
+        for node in self.nodes:
+            if node[0] in ("n", "s"):
+                printed.append(printed_leaf(node[0], node[1]))
             else:
-                printed.append(printed_operation(kind, [printed[i] for i in content]))
+                printed.append(printed_operation(node[0], [printed[i] for i in node[1:]]))
         return printed[-1][0]
+
+
+def _sympy_function(sympy: Any, operation: str) -> Any:
+    if operation in PLAIN:
+        return getattr(operator, PLAIN[operation])
+    return getattr(sympy, operation)
 
 
 def parse(text: str, names: Collection[str]) -> Expression:

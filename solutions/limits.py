@@ -12,6 +12,8 @@ from .chain import configuration, one_configuration
 Limits = Sequence[tuple[float, float]]
 ROUNDING = 1e-12  # of a limit: 120 degrees are the same number however they are computed
 TURN = (-math.pi, math.pi)  # of a joint that goes all the way round [rad]
+FULL_TURN = (-180, 180)  # the same [deg]
+DEGREE = math.pi / 180
 
 
 @dataclass(frozen=True)
@@ -33,6 +35,11 @@ class Outside:
         if self.kind == "R":
             return f"{math.degrees(value):.7g}\N{DEGREE SIGN}"
         return f"{value:.7g} m"
+
+
+def in_radians(*degrees: tuple[float, float]) -> tuple[tuple[float, float], ...]:
+    """Limits [rad] of revolute joints whose limits are given in degrees."""
+    return tuple((low * DEGREE, high * DEGREE) for low, high in degrees)
 
 
 def outside(limits: Limits, kinds: str, q: ArrayLike) -> tuple[Outside, ...]:

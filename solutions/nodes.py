@@ -80,7 +80,7 @@ def printed_leaf(kind: str, content: Any) -> Printed:
     return text, WHOLE
 
 
-def printed_operation(operation: str, arguments: Sequence[Printed]) -> Printed:
+def printed_operation(operation: str, arguments: list[Printed]) -> Printed:
     """An operation on printed arguments, with the brackets that reading it back takes."""
     if operation in CALLED:
         inside = ", ".join(text for text, _ in arguments)

@@ -116,11 +116,12 @@ class _Parser:
     def arguments(self, name: str, depth: int) -> list[int]:
         """Read the arguments of a function, in brackets and with commas between them."""
         many = CALLED[name]
-        if self.next.text != "(":
+        opening = self.next
+        if opening.text != "(":
             takes = f"its argument in brackets, as in {name}(x)"
             if many == 2:
                 takes = f"two arguments in brackets, as in {name}(y, x)"
-            raise ExpressionError(f"{name} takes {takes}", self.next.offset)
+            raise ExpressionError(f"{name} takes {takes}", opening.offset)
 
         self.take("(")
         found = [self.operand(0, depth + 1)]

@@ -11,9 +11,10 @@ import numpy as np
 from .axes import PlacedJoint, along, assembled
 from .chain import Array, Chain, steps_transform
 from .errors import KinegradeError
+from .limits import TURN
 
 KINDS = {"revolute": "R", "continuous": "R", "prismatic": "P"}
-TURN = (-np.pi, np.pi)
+
 
 
 class UrdfError(KinegradeError):
