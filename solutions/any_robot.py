@@ -7,15 +7,14 @@ from typing import Literal
 
 from .analytic import RepresentationError, angles_from_rotation
 from .chain import Array, Chain
-from .robot import LINEAR, Motion, Robot
-from .table import read_table
+from .limits import TURN
+from .robot import ALL, LINEAR, Motion, Robot
+from .table import joint_names, read_table
 from .urdf import read_urdf
 
-TURN = (-math.pi, math.pi)
 STROKE = (0.1, 1.0)  # of a slide whose limits nobody said [m]
 MOVES = {"R": "Rz", "P": "Tz"}
-TINY = 1e-12
-ALL = (0, 1, 2, 3, 4, 5)
+TINY = 1e-12  # what is smaller in a transform is 0
 
 
 def robot_from_table(
@@ -29,23 +28,20 @@ def robot_from_table(
 ) -> Robot:
     """The robot of a table: rows of theta, d, a, alpha in the names of `lengths` [m] and q1 ... qn.
 
-    `limits` [rad, m] are by default one turn, and 0.1 to 1 m for a slide; `task_rows` the linear rows of an arm with
-    three joints, all rows of one with six or more. Raises TableError.
+    `limits` [rad, m] are by default one turn, and 0.1 to 1 m for a slide; `task_rows` the linear
+    rows of an arm with up to three joints, all rows of any other. Raises TableError.
     """
-    kinds = read_table(
-        rows, (*lengths, *(f"q{i}" for i in range(1, len(rows) + 1))), convention
-    ).kinds
+    names = (*lengths, *joint_names(len(rows)))
+    kinds = read_table(rows, names, convention).kinds
     return Robot(
         name="table",
         title=title,
         parameters=dict(lengths),
-        rows=tuple(tuple(row) for row in rows),
-        limits=tuple(limits)
-        if limits
-        else tuple(TURN if kind == "R" else STROKE for kind in kinds),
+        rows=tuple(map(tuple, rows)),
+        limits=tuple(limits or _limits(kinds)),
         source="a table",
         convention=convention,
-        task_rows=tuple(task_rows) if task_rows else _task(kinds),
+        task_rows=tuple(task_rows or _task_rows(kinds)),
     )
 
 
@@ -56,24 +52,25 @@ def robot_from_chain(
     limits: Sequence[tuple[float, float]] | None = None,
     task_rows: Sequence[int] | None = None,
 ) -> Robot:
-    """A robot of hand-placed frames with the transforms of a chain, which has no named lengths."""
-    steps = [_steps(transform) for transform in chain.fixed]
-    kinds = chain.kinds
+    """A robot of hand-placed frames with the transforms of a chain, which has no named lengths.
+
+    `limits` [rad, m] and `task_rows` are by default those of `robot_from_table`.
+    """
+    *before, tool = [_motions(transform) for transform in chain.fixed]
+    rows = list[tuple[Motion, ...]]()
+    for kind, joint, placement in zip(chain.kinds, joint_names(chain.n), before, strict=True):
+        rows.append((*placement, (MOVES[kind], joint)))
+
     return Robot(
         name="chain",
         title=title,
         parameters={},
-        rows=tuple(
-            (*before, (MOVES[kind], f"q{i}"))
-            for i, (kind, before) in enumerate(zip(kinds, steps, strict=False), 1)
-        ),
-        limits=tuple(limits)
-        if limits
-        else tuple(TURN if kind == "R" else STROKE for kind in kinds),
+        rows=tuple(rows),
+        limits=tuple(limits or _limits(chain.kinds)),
         source="a chain",
         convention="frames",
-        tool=tuple(steps[-1]),
-        task_rows=tuple(task_rows) if task_rows else _task(kinds),
+        tool=tuple(tool),
+        task_rows=tuple(task_rows or _task_rows(chain.kinds)),
     )
 
 
@@ -89,27 +86,43 @@ def robot_from_urdf(
     return robot_from_chain(arm.chain, title=title, limits=arm.limits)
 
 
-def _task(kinds: str) -> tuple[int, ...]:
-    return LINEAR if len(kinds) <= 3 else ALL
+def _limits(kinds: str) -> list[tuple[float, float]]:
+    usual = {"R": TURN, "P": STROKE}
+    return [usual[kind] for kind in kinds]
 
 
-def _steps(transform: Array) -> list[Motion]:
-    """Elementary motions, first along and then about the axes, whose product is a transform (4, 4)."""
-    along = zip(("Tx", "Ty", "Tz"), transform[:3, 3], strict=True)
+def _task_rows(kinds: str) -> tuple[int, ...]:
+    if len(kinds) <= 3:
+        return LINEAR
+    return ALL
+
+
+def _motions(transform: Array) -> list[Motion]:
+    """Elementary motions, first along and then about the axes, whose product is a transform (4, 4).
+
+    Those that do nothing are left out.
+    """
+    R = transform[:3, :3]
+    turns = ("Rz", "Ry", "Rx")
     try:
-        turns = zip(("Rz", "Ry", "Rx"), angles_from_rotation(transform[:3, :3], "ZYX"), strict=True)
-    except (
-        RepresentationError
-    ):  # the second angle is a right one, where these axes are not unique; then others are
-        turns = zip(("Rz", "Rx", "Rz"), angles_from_rotation(transform[:3, :3], "ZXZ"), strict=True)
-    return [
-        (motion, _typed(float(amount))) for motion, amount in (*along, *turns) if abs(amount) > TINY
-    ]
+        angles = angles_from_rotation(R, "ZYX")
+    except RepresentationError:
+        # the second angle is a right one, where these axes are not unique; then others are
+        turns = ("Rz", "Rx", "Rz")
+        angles = angles_from_rotation(R, "ZXZ")
+
+    motions = list[Motion]()
+    amounts = [*transform[:3, 3], *angles]
+    for motion, amount in zip(("Tx", "Ty", "Tz", *turns), amounts, strict=True):
+        if abs(amount) > TINY:
+            motions.append((motion, _typed(float(amount))))
+    return motions
 
 
 def _typed(amount: float) -> str:
     """A number as it is, a multiple of pi/4 as that, so that right angles stay exact."""
     quarters = amount / (math.pi / 4)
-    if abs(quarters - round(quarters)) < TINY and round(quarters):
-        return f"{round(quarters)}*pi/4"
+    nearest = round(quarters)
+    if nearest and abs(quarters - nearest) < TINY:
+        return f"{nearest}*pi/4"
     return repr(amount)

@@ -22,9 +22,9 @@ class ChainError(KinegradeError):
 class Chain:
     """Joint i turns about, or slides along, the z axis of the frame before E_i.
 
-    `fixed` (n + 1, 4, 4) holds C0 ... Cn, read-only: entries of rotations within 1e-15 of 0 and +-1 are exact, and
-    lengths below 1e-15 of the longest are 0. `kinds` names the joints in order, "R" revolute and "P" prismatic.
-    Raises ChainError.
+    `fixed` (n + 1, 4, 4) holds C0 ... Cn, read-only: entries of rotations within 1e-15 of 0 and +-1
+    are exact, and lengths below 1e-15 of the longest are 0. `kinds` names the joints in order, "R"
+    revolute and "P" prismatic. Raises ChainError.
     """
 
     fixed: Array
@@ -33,6 +33,7 @@ class Chain:
 
     def __post_init__(self) -> None:
         fixed = reals("fixed", self.fixed)
+
         if not self.kinds or set(self.kinds) - {"R", "P"}:
             raise ChainError(f"kinds takes one letter R or P for each joint, got {self.kinds!r}")
         expected = (len(self.kinds) + 1, 4, 4)
@@ -40,9 +41,11 @@ class Chain:
             raise ChainError(
                 f"fixed takes shape {expected} for kinds {self.kinds!r}, got {fixed.shape}"
             )
+
         fixed = snapped_transforms(fixed)
         for index, transform in enumerate(fixed):
             _check_rigid(f"fixed[{index}]", transform)
+
         fixed.flags.writeable = False
         object.__setattr__(self, "fixed", fixed)
 
@@ -60,14 +63,19 @@ def snapped(values: ArrayLike) -> Array:
     """Copy of `values` with entries within 1e-15 of 0 and +-1 made exact."""
     array = np.array(values, dtype=np.float64)
     nearest = np.round(array)
-    return np.where((np.abs(array - nearest) < SNAP) & (np.abs(nearest) <= 1), nearest + 0.0, array)
+    close = (np.abs(array - nearest) < SNAP) & (np.abs(nearest) <= 1)
+    return np.where(close, nearest + 0.0, array)  # -0.0 + 0.0 is 0.0
 
 
 def snapped_transforms(transforms: Array) -> Array:
-    """Copy of transforms (..., 4, 4): rotations `snapped`, lengths below 1e-15 of the longest of them all made 0."""
+    """Copy of transforms (..., 4, 4): rotations `snapped`, very short lengths made 0.
+
+    Those are the ones below 1e-15 of the longest of them all.
+    """
     result = snapped(transforms)
     p = transforms[..., :3, 3]
-    result[..., :3, 3] = np.where(np.abs(p) < SNAP * np.max(np.abs(p), initial=0.0), 0.0, p + 0.0)
+    longest = np.max(np.abs(p), initial=0.0)
+    result[..., :3, 3] = np.where(np.abs(p) < SNAP * longest, 0.0, p + 0.0)
     return result
 
 
@@ -78,6 +86,7 @@ def elementary(motion: str, amount: ArrayLike) -> Array:
     """
     if motion not in MOTIONS:
         raise ChainError(f"motion takes one of {', '.join(MOTIONS)}, got {motion!r}")
+
     value = np.asarray(amount, dtype=np.float64)
     transform = np.zeros((*value.shape, 4, 4))
     transform[..., range(4), range(4)] = 1.0
@@ -85,15 +94,19 @@ def elementary(motion: str, amount: ArrayLike) -> Array:
     if motion[0] == "T":
         transform[..., axis, 3] = value
         return transform
-    i, j = (axis + 1) % 3, (axis + 2) % 3
-    cosine, sine = snapped(np.cos(value)), snapped(np.sin(value))
-    transform[..., i, i] = transform[..., j, j] = cosine
-    transform[..., i, j], transform[..., j, i] = -sine, sine
+
+    i, j = (axis + 1) % 3, (axis + 2) % 3  # the plane that turns
+    cosine = snapped(np.cos(value))
+    sine = snapped(np.sin(value))
+    transform[..., i, i] = cosine
+    transform[..., j, j] = cosine
+    transform[..., i, j] = -sine
+    transform[..., j, i] = sine
     return transform
 
 
 def standard_transform(rows: ArrayLike) -> Array:
-    """Rz(theta) Tz(d) Tx(a) Rx(alpha), shape (..., 4, 4), of rows (..., 4) in the order theta, d, a, alpha."""
+    """Rz(theta) Tz(d) Tx(a) Rx(alpha), shape (..., 4, 4), of rows (..., 4): theta, d, a, alpha."""
     theta, d, a, alpha = np.moveaxis(np.asarray(rows, dtype=np.float64), -1, 0)
     return (
         elementary("Rz", theta)
@@ -104,7 +117,7 @@ def standard_transform(rows: ArrayLike) -> Array:
 
 
 def modified_transform(rows: ArrayLike) -> Array:
-    """Rx(alpha) Tx(a) Rz(theta) Tz(d), shape (..., 4, 4), of rows (..., 4) in the order theta, d, a, alpha.
+    """Rx(alpha) Tx(a) Rz(theta) Tz(d), shape (..., 4, 4), of rows (..., 4): theta, d, a, alpha.
 
     Row i holds alpha and a of the link before joint i (Craig, eq. 3.6).
     """
@@ -136,18 +149,22 @@ def from_modified(
 
     The theta (revolute) or d (prismatic) of a row is that joint's offset. Raises ChainError.
     """
-    numbers = _table(rows, kinds)
-    zero = np.zeros(len(numbers))
-    before = modified_transform(np.stack([zero, zero, numbers[:, 2], numbers[:, 3]], axis=-1))
-    behind = modified_transform(np.stack([numbers[:, 0], numbers[:, 1], zero, zero], axis=-1))
+    theta, d, a, alpha = _table(rows, kinds).T
+    zero = np.zeros(len(kinds))
+    before = modified_transform(np.stack([zero, zero, a, alpha], axis=-1))
+    behind = modified_transform(np.stack([theta, d, zero, zero], axis=-1))
+
+    # an offset and the link of the next row share a constant
     first = _transform("base", base) @ before[0]
-    return Chain(
-        np.stack([first, *(behind[:-1] @ before[1:]), behind[-1] @ _transform("tool", tool)]), kinds
-    )
+    last = behind[-1] @ _transform("tool", tool)
+    return Chain(np.stack([first, *(behind[:-1] @ before[1:]), last]), kinds)
 
 
 def from_frames(placements: ArrayLike, kinds: str, tool: ArrayLike | None = None) -> Chain:
-    """Chain of hand-placed frames: `placements` (n, 4, 4) put each joint's frame into the one before it."""
+    """Chain of hand-placed frames.
+
+    `placements` (n, 4, 4) put each joint's frame into the one before it. Raises ChainError.
+    """
     frames = reals("placements", placements)
     if frames.shape != (len(kinds), 4, 4):
         raise ChainError(f"placements takes shape {(len(kinds), 4, 4)}, got {frames.shape}")
@@ -193,6 +210,7 @@ def reals(name: str, values: ArrayLike) -> Array:
         ) from None
     if array.size and array.dtype.kind not in "iuf":
         raise ChainError(f"{name} takes real numbers, got values of type {array.dtype.name}")
+
     array = array.astype(np.float64)
     if not np.isfinite(array).all():
         raise ChainError(f"{name} takes finite numbers, got NaN or infinity")

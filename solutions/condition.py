@@ -33,27 +33,32 @@ Condition = Expression | AllOf
 
 def all_of(expressions: Sequence[Expression]) -> Condition:
     """The condition that all these expressions are zero; of one it is the expression itself."""
-    return expressions[0] if len(expressions) == 1 else AllOf(tuple(expressions))
+    if len(expressions) == 1:
+        return expressions[0]
+    return AllOf(tuple(expressions))
 
 
 def equations_of(condition: Condition) -> tuple[Expression, ...]:
     """The expressions that are zero where a condition holds."""
-    return condition.equations if isinstance(condition, AllOf) else (condition,)
+    if isinstance(condition, AllOf):
+        return condition.equations
+    return (condition,)
 
 
 def read_conditions(text: object, names: Iterable[str]) -> list[Condition]:
-    """The conditions of a text as `condition_text` writes them: "sin(q2) = 0 and q3 = 0", several with "or" between.
+    """The conditions of a text as `condition_text` writes them, several with "or" between them.
 
-    The sides of an equation may be any formulas in `names`; without "=" it is the formula that is to be zero. What
-    students may type is more, and is read by the grader. Raises ExpressionError.
+    The text is such as "sin(q2) = 0 and q3 = 0". The sides of an equation may be any formulas in
+    `names`; without "=" it is the formula that is to be zero. What students may type is more, and
+    is read by the grader. Raises ExpressionError.
     """
     known = tuple(names)
+    conditions = list[Condition]()
     with refusing(text, "a condition") as typed:
-        cases = re.split(r"\bor\b", typed)
-        return [
-            all_of([_equation(part, known) for part in re.split(r"\band\b", case)])
-            for case in cases
-        ]
+        for case in re.split(r"\bor\b", typed):
+            parts = re.split(r"\band\b", case)
+            conditions.append(all_of([_equation(part, known) for part in parts]))
+    return conditions
 
 
 def _equation(text: str, names: tuple[str, ...]) -> Expression:
@@ -65,14 +70,17 @@ def _equation(text: str, names: tuple[str, ...]) -> Expression:
 
 
 def condition_text(condition: Condition) -> str:
-    """The condition as a student may type it: "sin(q2) = 0", or equations with "and" between them."""
-    return str(condition) if isinstance(condition, AllOf) else f"{condition} = 0"
+    """The condition as a student may type it: "sin(q2) = 0", several with "and" between them."""
+    if isinstance(condition, AllOf):
+        return str(condition)
+    return f"{condition} = 0"
 
 
 def condition_sympy(condition: Condition) -> Any:
     """The condition as sympy prints it: an Eq with zero, or And of several."""
     sympy: Any = import_module("sympy")
-    equations = [
-        sympy.Eq(expression.sympy(), 0, evaluate=False) for expression in equations_of(condition)
-    ]
-    return equations[0] if len(equations) == 1 else sympy.And(*equations, evaluate=False)
+    zeros = [expression.sympy() for expression in equations_of(condition)]
+    equations = [sympy.Eq(zero, 0, evaluate=False) for zero in zeros]
+    if len(equations) == 1:
+        return equations[0]
+    return sympy.And(*equations, evaluate=False)

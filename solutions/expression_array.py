@@ -3,10 +3,11 @@
 import hashlib
 import math
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from importlib import import_module
+from itertools import chain
 from typing import Any
 
 import numpy as np
@@ -16,8 +17,10 @@ from .errors import KinegradeError
 from .expression import Expression, parse
 
 ANGLE = re.compile(r"(q|theta|alpha|beta|gamma|phi|psi)[0-9]*")
-POINTS = 8
-SAME = 1e-9
+POINTS = 8  # where two formulas are compared, twice
+SAME = 1e-9  # of a value's size: what two spellings of one formula may differ by
+ANGLES = (-2.6, 5.2)  # where samples of angles begin, and how far they reach [rad]
+OTHERS = (0.4, 1.2)  # the same for everything else: positive, as lengths are
 
 
 class ExpressionArrayError(KinegradeError):
@@ -34,12 +37,12 @@ class ExpressionArray:
     @property
     def names(self) -> frozenset[str]:
         """Names that occur in any entry."""
-        return frozenset(name for entry in self.entries for name in entry.names)
+        return frozenset[str]().union(*(entry.names for entry in self.entries))
 
     def at(self, values: Mapping[str, ArrayLike]) -> NDArray[np.float64]:
-        """Numbers (..., *shape) where each name has its value. Raises ExpressionError if one has none."""
-        numbers = np.broadcast_arrays(*(np.asarray(entry.at(values)) for entry in self.entries))
-        stacked = np.stack(numbers, axis=-1)
+        """Numbers (..., *shape) where each name has its value; ExpressionError if one has none."""
+        numbers = [np.asarray(entry.at(values)) for entry in self.entries]
+        stacked = np.stack(np.broadcast_arrays(*numbers), axis=-1)
         return stacked.reshape((*stacked.shape[:-1], *self.shape))
 
     def sympy(self) -> Any:
@@ -53,14 +56,18 @@ class ExpressionArray:
     def text(self) -> Any:
         """Nested lists of strings that parse back; a single string for shape ()."""
         found: Any = [str(entry) for entry in self.entries]
-        if len(self.shape) == 2:
-            width = self.shape[1]
-            return [found[start : start + width] for start in range(0, len(found), width)]
-        return found if self.shape else found[0]
+        if not self.shape:
+            return found[0]
+        if len(self.shape) == 1:
+            return found
+        width = self.shape[1]
+        return [found[start : start + width] for start in range(0, len(found), width)]
 
 
 def expression_array(nested: Any, names: Iterable[str]) -> ExpressionArray:
-    """Array of formulas from nested text, numbers, `Expression`s, or a sympy expression or Matrix, in `names`.
+    """Array of formulas in `names`, of what may be nested.
+
+    Entries are text, numbers or `Expression`s; a sympy expression or Matrix is taken, too.
 
     Raises:
         ExpressionError: a text is not a formula in these names.
@@ -70,62 +77,19 @@ def expression_array(nested: Any, names: Iterable[str]) -> ExpressionArray:
         return nested
     if hasattr(nested, "tolist"):
         nested = nested.tolist()
+
     known = tuple(names)
     shape = _shape(nested)
     flat: list[Any] = [nested]
     for _ in shape:
-        flat = [entry for row in flat for entry in row]
-    return ExpressionArray(
-        tuple(e if isinstance(e, Expression) else parse(str(e), known) for e in flat), shape
-    )
+        flat = list(chain.from_iterable(flat))
+    return ExpressionArray(tuple(_formula(entry, known) for entry in flat), shape)
 
 
-def same_formulas(
-    a: ExpressionArray, b: ExpressionArray, names: Sequence[str]
-) -> NDArray[np.bool_]:
-    """Which entries of two arrays of one shape agree at sixteen points, to 1e-9 of their size.
-
-    The first eight are the same for everybody; the others follow from what was typed, so that no formula can be made
-    to agree at just these. Points where the second is infinite or has no value are left out; where the first alone has
-    none, they differ.
-    """
-    same = _agree(*(sampled(x, tuple(names)) for x in (a, b)))
-    if not same.any():
-        return same
-    typed = hashlib.sha256("\n".join(map(str, a.entries)).encode()).digest()
-    values = sample(names, POINTS, int.from_bytes(typed[:6], "big") / 2**48)
-    shape = (POINTS, *b.shape)
-    return same & _agree(*(np.broadcast_to(x.at(values), shape) for x in (a, b)))
-
-
-def _agree(ours: NDArray[np.float64], theirs: NDArray[np.float64]) -> NDArray[np.bool_]:
-    defined = np.isfinite(theirs)
-    with np.errstate(invalid="ignore"):
-        close = np.abs(ours - theirs) <= SAME * np.maximum(1.0, np.abs(theirs))
-    return np.asarray((close | ~defined).all(axis=0) & defined.any(axis=0))
-
-
-@lru_cache(maxsize=512)
-def sampled(array: ExpressionArray, names: tuple[str, ...]) -> NDArray[np.float64]:
-    """Numbers (8, *shape) of an array at the points where formulas are compared; kept, since references come again."""
-    return np.broadcast_to(array.at(sample(names, POINTS)), (POINTS, *array.shape))
-
-
-def sample(names: Sequence[str], count: int, start: float = 0.0) -> dict[str, NDArray[np.float64]]:
-    """Values (count,) for every name, angles in (-2.6, 2.6), all others in (0.4, 1.6).
-
-    The multiples of square roots of primes are spread like random numbers and are the same everywhere, always;
-    `start` moves them on.
-    """
-    steps = np.arange(1, count + 1)
-    roots = (
-        math.sqrt(p) for p in range(2, 10_000) if all(p % d for d in range(2, math.isqrt(p) + 1))
-    )
-    values: dict[str, NDArray[np.float64]] = {}
-    for name, root in zip(sorted(names), roots, strict=False):
-        fraction = np.asarray(((steps + start) * root) % 1.0, dtype=np.float64)
-        values[name] = 5.2 * fraction - 2.6 if ANGLE.fullmatch(name) else 0.4 + 1.2 * fraction
-    return values
+def _formula(entry: Any, names: tuple[str, ...]) -> Expression:
+    if isinstance(entry, Expression):
+        return entry
+    return parse(str(entry), names)
 
 
 def _shape(nested: Any, depth: int = 2) -> tuple[int, ...]:
@@ -134,9 +98,78 @@ def _shape(nested: Any, depth: int = 2) -> tuple[int, ...]:
     rows: list[Any] = [*nested]  # pyright: ignore[reportUnknownArgumentType]
     if not rows or depth == 0:
         raise ExpressionArrayError(f"formulas take a vector or a matrix, got {str(rows)[:60]}")
+
     shapes = {_shape(row, depth - 1) for row in rows}
     if len(shapes) > 1:
         raise ExpressionArrayError(
             "formulas take rows of one length, got rows of different lengths"
         )
     return (len(rows), *shapes.pop())
+
+
+def same_formulas(
+    a: ExpressionArray, b: ExpressionArray, names: Sequence[str]
+) -> NDArray[np.bool_]:
+    """Which entries of two arrays of one shape agree at sixteen points, to 1e-9 of their size.
+
+    The first eight are the same for everybody; the others follow from what was typed, so that no
+    formula can be made to agree at just these. Points where the second is infinite or has no value
+    are left out; where the first alone has none, they differ.
+    """
+    known = tuple(names)
+    same = _agree(sampled(a, known), sampled(b, known))
+    if not same.any():
+        return same
+
+    typed = hashlib.sha256("\n".join(map(str, a.entries)).encode()).digest()
+    start = int.from_bytes(typed[:6], "big") / 2**48
+    values = sample(names, POINTS, start)
+    return same & _agree(_at_points(a, values), _at_points(b, values))
+
+
+def _agree(ours: NDArray[np.float64], theirs: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Whether entries (...) agree at all points (points, ...) where they have a value."""
+    defined = np.isfinite(theirs)
+    with np.errstate(invalid="ignore"):
+        close = np.abs(ours - theirs) <= SAME * np.maximum(1.0, np.abs(theirs))
+    return np.asarray((close | ~defined).all(axis=0) & defined.any(axis=0))
+
+
+@lru_cache(maxsize=512)
+def sampled(array: ExpressionArray, names: tuple[str, ...]) -> NDArray[np.float64]:
+    """Numbers (8, *shape) of an array at the points where formulas are compared.
+
+    They are kept, since references come again.
+    """
+    return _at_points(array, sample(names, POINTS))
+
+
+def _at_points(
+    array: ExpressionArray, values: Mapping[str, NDArray[np.float64]]
+) -> NDArray[np.float64]:
+    """Numbers (8, *shape) at points; constants are the same at all of them."""
+    return np.broadcast_to(array.at(values), (POINTS, *array.shape))
+
+
+def sample(names: Sequence[str], count: int, start: float = 0.0) -> dict[str, NDArray[np.float64]]:
+    """Values (count,) for every name, angles in (-2.6, 2.6), all others in (0.4, 1.6).
+
+    The multiples of square roots of primes are spread like random numbers and are the same
+    everywhere, always; `start` moves them on.
+    """
+    steps = np.arange(1, count + 1)
+    values: dict[str, NDArray[np.float64]] = {}
+    for name, prime in zip(sorted(names), _primes(), strict=False):
+        fraction = np.asarray(((steps + start) * math.sqrt(prime)) % 1.0, dtype=np.float64)
+        least, width = OTHERS
+        if ANGLE.fullmatch(name):
+            least, width = ANGLES
+        values[name] = least + width * fraction
+    return values
+
+
+def _primes() -> Iterator[int]:
+    """The primes in order: more than there are names in a formula."""
+    for number in range(2, 10_000):
+        if all(number % divisor for divisor in range(2, math.isqrt(number) + 1)):
+            yield number

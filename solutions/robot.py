@@ -13,19 +13,17 @@ from .chain import Array, Chain, configuration, elementary, from_frames, one_con
 from .errors import KinegradeError, nearest
 from .expression import Expression, parse
 from .limits import Outside, outside
-from .table import Table, read_table
+from .table import Table, joint_names, joint_values, printed_frames, read_table
 
 if TYPE_CHECKING:
     from .symbolic import ClosedForm
 
 Motion = tuple[str, str]  # a motion and its amount: ("Tz", "L"), ("Rz", "q1")
+Steps = tuple[tuple[str, Expression], ...]  # the same, read
 LINEAR = (0, 1, 2)
-STANDARD = (
-    ("Rz", 0),
-    ("Tz", 1),
-    ("Tx", 2),
-    ("Rx", 3),
-)  # motions of one row and the columns of their amounts
+ALL = (0, 1, 2, 3, 4, 5)
+# motions of one row of a table, and the columns of their amounts
+STANDARD = (("Rz", 0), ("Tz", 1), ("Tx", 2), ("Rx", 3))
 MODIFIED = (("Rx", 3), ("Tx", 2), ("Rz", 0), ("Tz", 1))
 
 
@@ -46,11 +44,12 @@ class Factor:
 class Robot:
     """Rows of formulas in named parameters [m] and joints q1 ... qn [rad, m].
 
-    `rows` are the cells theta, d, a, alpha of a table, or, with convention "frames", the steps that lead from one
-    joint's frame to the next, each ending in the joint's own ("Rz", "q1") or ("Tz", "q1 + l1"). `base` and `tool` are
-    the steps from the base to the first row and from the last frame to the tool. `task_rows` are the rows of J whose
-    determinant is the `constant` times the `factors`; a robot without a square task block has none. `poses` are named
-    configurations (n,), as their source has them.
+    `rows` are the cells theta, d, a, alpha of a table, or, with convention "frames", the steps that
+    lead from one joint's frame to the next, each ending in the joint's own ("Rz", "q1") or
+    ("Tz", "q1 + l1"). `base` and `tool` are the steps from the base to the first row and from the
+    last frame to the tool. `task_rows` are the rows of J whose determinant is the `constant` times
+    the `factors`; a robot without a square task block has none. `poses` are named configurations
+    (n,), as their source has them.
     """
 
     name: str
@@ -75,7 +74,7 @@ class Robot:
     @property
     def joints(self) -> tuple[str, ...]:
         """Names of the joint variables, q1 ... qn."""
-        return tuple(f"q{i}" for i in range(1, self.n + 1))
+        return joint_names(self.n)
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -85,21 +84,31 @@ class Robot:
     @property
     def kinds(self) -> str:
         """Joint types in order, "R" revolute and "P" prismatic."""
-        if self.convention == "frames":
-            return "".join("R" if steps[-1][0] == "Rz" else "P" for steps in self.steps)
-        return self.table.kinds
+        if self.convention != "frames":
+            return self.table.kinds
+        return "".join(_kind(steps) for steps in self.steps)
 
     @property
     def determinant(self) -> str:
-        """Determinant of the task block, the constant in front of its factors; RobotError if there are none."""
+        """Determinant of the task block, the constant in front of its factors.
+
+        Raises RobotError if there are none.
+        """
         if not self.factors:
             raise RobotError(
-                f"determinant takes a robot with a factored task block, got {self.name} without factors"
+                "determinant takes a robot with a factored task block, "
+                f"got {self.name} without factors"
             )
-        products = (
-            f"({f.expression})" + (f"^{f.power}" if f.power != 1 else "") for f in self.factors
-        )
-        return "*".join([*([self.constant] if self.constant != "1" else []), *products])
+
+        factors = list[str]()
+        if self.constant != "1":
+            factors.append(self.constant)
+        for factor in self.factors:
+            power = ""
+            if factor.power != 1:
+                power = f"^{factor.power}"
+            factors.append(f"({factor.expression}){power}")
+        return "*".join(factors)
 
     def pose(self, name: str) -> Array:
         """Configuration (n,) [rad, m] of that name; RobotError lists the valid ones."""
@@ -108,7 +117,10 @@ class Robot:
         return one_configuration(self.n, self.poses[name], f"pose {name} of {self.name}")
 
     def outside(self, q: ArrayLike) -> tuple[Outside, ...]:
-        """The joints that are outside their limits at q (n,) [rad, m]; str() of each is a sentence. ChainError."""
+        """The joints that are outside their limits at q (n,) [rad, m].
+
+        The str() of each is a sentence. Raises ChainError.
+        """
         return outside(self.limits, self.kinds, q)
 
     @cached_property
@@ -116,59 +128,67 @@ class Robot:
         """Denavit-Hartenberg table; RobotError for hand-placed frames."""
         if self.convention == "frames":
             raise RobotError(
-                f"table takes a robot with a Denavit-Hartenberg table, got {self.name} with hand-placed frames"
+                "table takes a robot with a Denavit-Hartenberg table, "
+                f"got {self.name} with hand-placed frames"
             )
-        return read_table(
-            [[str(cell) for cell in row] for row in self.rows], self.names, self.convention
-        )
+        cells = [list(map(str, row)) for row in self.rows]
+        return read_table(cells, self.names, self.convention)
 
     @cached_property
-    def steps(self) -> tuple[tuple[tuple[str, Expression], ...], ...]:
+    def steps(self) -> tuple[Steps, ...]:
         """Elementary motions of each row, in order, in every convention."""
         if self.convention == "frames":
-            return tuple(
-                self._motions([(str(motion), str(amount)) for motion, amount in row])
-                for row in self.rows
-            )
-        order = STANDARD if self.convention == "standard" else MODIFIED
-        return tuple(
-            tuple((motion, row[column]) for motion, column in order) for row in self.table.rows
-        )
+            return tuple(self._read(row) for row in self.rows)
+
+        order = MODIFIED
+        if self.convention == "standard":
+            order = STANDARD
+        steps = list[Steps]()
+        for row in self.table.rows:
+            steps.append(tuple((motion, row[column]) for motion, column in order))
+        return tuple(steps)
 
     @cached_property
-    def base_steps(self) -> tuple[tuple[str, Expression], ...]:
+    def base_steps(self) -> Steps:
         """Elementary motions from the base to the first row."""
-        return self._motions(self.base)
+        return self._read(self.base)
 
     @cached_property
-    def tool_steps(self) -> tuple[tuple[str, Expression], ...]:
+    def tool_steps(self) -> Steps:
         """Elementary motions from the last frame to the tool."""
-        return self._motions(self.tool)
+        return self._read(self.tool)
 
     def chain(self, parameters: Mapping[str, float] | None = None) -> Chain:
-        """Chain with `parameters` [m]; those left out have their defaults. RobotError for an unknown one."""
-        return self._build(self.values(parameters)) if parameters else self._default
+        """Chain with `parameters` [m]; those left out have their defaults.
+
+        Raises RobotError for an unknown one.
+        """
+        if not parameters:
+            return self._default
+        return self._build(self.values(parameters))
 
     def frames(self, parameters: Mapping[str, float] | None, q: ArrayLike) -> Array:
-        """Frames (..., n + 1, 4, 4) in base coordinates as the source prints them, at q (..., n) [rad, m].
+        """Frames (..., n + 1, 4, 4) in base coordinates as the source prints them.
 
-        Frame i - 1 has the axis of joint i as its z; the last is the tool. A standard table gives T_0^0 ... T_n^0 with
-        the tool transform in the last, the other conventions T_1^0 ... T_n^0 and the tool. The base transform leads
-        in all of them. Raises RobotError or ChainError.
+        At q (..., n) [rad, m]. Frame i - 1 has the axis of joint i as its z; the last is the tool.
+        A standard table gives T_0^0 ... T_n^0 with the tool transform in the last, the other
+        conventions T_1^0 ... T_n^0 and the tool. The base transform leads in all of them. Raises
+        RobotError or ChainError.
         """
         joints = configuration(self.n, q)
-        values: dict[str, ArrayLike] = {**self.values(parameters)}
-        values |= {name: joints[..., i] for i, name in enumerate(self.joints)}
-        reached = [np.broadcast_to(_transform(self.base_steps, values), (*joints.shape[:-1], 4, 4))]
-        for steps in self.steps:
-            reached.append(reached[-1] @ _transform(steps, values))
-        tool = reached[-1] @ _transform(self.tool_steps, values)
-        return np.stack(
-            [*(reached[:-1] if self.convention == "standard" else reached[1:]), tool], axis=-3
-        )
+        values: dict[str, ArrayLike] = {**self.values(parameters), **joint_values(joints)}
+
+        base = np.broadcast_to(_transform(self.base_steps, values), (*joints.shape[:-1], 4, 4))
+        links = [_transform(steps, values) for steps in self.steps]
+        tool = _transform(self.tool_steps, values)
+        return printed_frames(self.convention, base, links, tool)
 
     def values(self, parameters: Mapping[str, float] | None = None) -> dict[str, float]:
-        """Values of all parameters [m], the given ones over the defaults. RobotError for an unknown one."""
+        """Values of all parameters [m], the given ones over the defaults.
+
+        Raises RobotError for an unknown one.
+        """
+        values = dict(self.parameters)
         for name, value in (parameters or {}).items():
             if name not in self.parameters:
                 raise RobotError(unknown(f"parameters of {self.name}", name, self.parameters))
@@ -176,10 +196,8 @@ class Robot:
                 raise RobotError(
                     f"parameter {name} of {self.name} takes a finite number, got {value!r}"
                 )
-        return {
-            **self.parameters,
-            **{name: float(value) for name, value in (parameters or {}).items()},
-        }
+            values[name] = float(value)
+        return values
 
     def symbolic(self) -> "ClosedForm":
         """Closed forms of frames and Jacobian in sympy, made once."""
@@ -196,32 +214,30 @@ class Robot:
         return self._build(dict(self.parameters))
 
     def _build(self, values: Mapping[str, float]) -> Chain:
-        base, tool = _transform(self.base_steps, values), _transform(self.tool_steps, values)
-        if self.convention != "frames":
-            chain = self.table.chain(values, tool)
-            return Chain(
-                np.concatenate([(base @ chain.fixed[0])[None], chain.fixed[1:]]), chain.kinds
-            )
+        base = _transform(self.base_steps, values)
+        tool = _transform(self.tool_steps, values)
+        if self.convention == "frames":
+            return self._chain_of_frames(values, base, tool)
+
+        chain = self.table.chain(values, tool)
+        first = base @ chain.fixed[0]
+        return Chain(np.concatenate([first[None], chain.fixed[1:]]), chain.kinds)
+
+    def _chain_of_frames(self, values: Mapping[str, float], base: Array, tool: Array) -> Chain:
+        """Chain whose constants are what lies between one joint's motion and the next one's."""
         home = {**values, **dict.fromkeys(self.joints, 0.0)}
-        offsets = [base, *(_transform(steps[-1:], home) for steps in self.steps)]
-        placements = [
-            offset @ _transform(steps[:-1], values)
-            for offset, steps in zip(offsets, self.steps, strict=False)
-        ]
-        return from_frames(np.array(placements), self.kinds, offsets[-1] @ tool)
+        placements = list[Array]()
+        offset = base  # what the joint before adds at q = 0, as l1 in ("Tz", "q1 + l1")
+        for steps in self.steps:
+            placements.append(offset @ _transform(steps[:-1], values))
+            offset = _transform(steps[-1:], home)
+        return from_frames(np.array(placements), self.kinds, offset @ tool)
 
-    def _motions(self, steps: Sequence[Motion]) -> tuple[tuple[str, Expression], ...]:
-        return tuple((motion, parse(amount, self.names)) for motion, amount in steps)
-
-
-def _transform(steps: Sequence[tuple[str, Expression]], values: Mapping[str, ArrayLike]) -> Array:
-    return product(elementary(motion, amount.at(values)) for motion, amount in steps)
-
-
-def _is_finite(value: object) -> bool:
-    if isinstance(value, bool) or not isinstance(value, SupportsFloat):
-        return False
-    return math.isfinite(float(value))
+    def _read(self, motions: Sequence[str] | Sequence[Motion]) -> Steps:
+        steps = list[tuple[str, Expression]]()
+        for motion, amount in motions:
+            steps.append((str(motion), parse(str(amount), self.names)))
+        return tuple(steps)
 
 
 def unknown(what: str, name: str, valid: Mapping[str, object]) -> str:
@@ -230,3 +246,21 @@ def unknown(what: str, name: str, valid: Mapping[str, object]) -> str:
         return f"{what} takes no name, got {name!r}"
     near = nearest(str(name), valid, cutoff=0)
     return f"{what} takes one of {', '.join(valid)}, got {name!r}; the nearest is {near!r}"
+
+
+def _kind(steps: Steps) -> str:
+    """Type of the joint in whose own motion the steps end."""
+    motion, _ = steps[-1]
+    if motion == "Rz":
+        return "R"
+    return "P"
+
+
+def _transform(steps: Steps, values: Mapping[str, ArrayLike]) -> Array:
+    return product(elementary(motion, amount.at(values)) for motion, amount in steps)
+
+
+def _is_finite(value: object) -> bool:
+    if isinstance(value, bool) or not isinstance(value, SupportsFloat):
+        return False
+    return math.isfinite(float(value))

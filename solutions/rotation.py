@@ -1,4 +1,4 @@
-"""Rotation matrices, and the vectors of the rotations between them."""
+"""Rotation matrices, the vectors of the rotations between them, and inverses of transforms."""
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -19,13 +19,24 @@ def rotations(name: str, values: ArrayLike) -> Array:
 
 
 def rotation_vector(rotation: ArrayLike) -> Array:
-    """Vectors dw (..., 3) [rad] with R = R(dw): the axis of each rotation (..., 3, 3) times its angle in [0, pi].
+    """Vectors dw (..., 3) [rad] with R = R(dw): axes of rotations (..., 3, 3) times their angles.
 
-    At pi one of the two opposite vectors is returned. dw of R(q + dq) R(q)^T is the small rotation vector of S0,
-    eq. 4.11. Raises ChainError.
+    Angles are in [0, pi]; at pi one of the two opposite vectors is returned. dw of
+    R(q + dq) R(q)^T is the small rotation vector of S0, eq. 4.11. Raises ChainError.
     """
-    R = rotations("rotation", rotation)
-    # 4 e e^T of the unit quaternion e = (w, x, y, z): its row of largest diagonal loses no digits at any angle
+    e = _unit_quaternion(rotations("rotation", rotation))
+    sine = np.linalg.norm(e[..., 1:], axis=-1)  # of half the angle
+    angle = 2 * np.arctan2(sine, e[..., 0])
+
+    # angle / sine tends to 2 where there is no rotation
+    turns = sine > 0
+    factor = np.where(turns, angle / np.where(turns, sine, 1.0), 2.0)
+    return e[..., 1:] * factor[..., None]
+
+
+def _unit_quaternion(R: Array) -> Array:
+    """Unit quaternions e = (w, x, y, z), w >= 0, of shape (..., 4)."""
+    # S = 4 e e^T: its row of largest diagonal loses no digits at any angle
     S = np.empty((*R.shape[:-2], 4, 4))
     diagonal = np.diagonal(R, axis1=-2, axis2=-1)
     S[..., 0, 0] = 1 + diagonal.sum(axis=-1)
@@ -33,22 +44,35 @@ def rotation_vector(rotation: ArrayLike) -> Array:
         S[..., i + 1, i + 1] = 1 + diagonal[..., i] - diagonal[..., j] - diagonal[..., k]
         S[..., 0, i + 1] = S[..., i + 1, 0] = R[..., k, j] - R[..., j, k]
         S[..., j + 1, k + 1] = S[..., k + 1, j + 1] = R[..., k, j] + R[..., j, k]
+
     largest = np.argmax(np.diagonal(S, axis1=-2, axis2=-1), axis=-1)
     e = np.take_along_axis(S, largest[..., None, None], axis=-2)[..., 0, :]
-    e = e / np.linalg.norm(e, axis=-1, keepdims=True) * np.where(e[..., :1] < 0, -1.0, 1.0)
-    sine = np.linalg.norm(e[..., 1:], axis=-1)
-    angle = 2 * np.arctan2(sine, e[..., 0])
-    return e[..., 1:] * np.where(sine > 0, angle / np.where(sine > 0, sine, 1.0), 2.0)[..., None]
+    sign = np.where(e[..., :1] < 0, -1.0, 1.0)
+    return e / np.linalg.norm(e, axis=-1, keepdims=True) * sign
 
 
 def vector_rotation(vector: ArrayLike) -> Array:
-    """Rotations (..., 3, 3) about the vectors (..., 3) by their lengths [rad] (Rodrigues). Raises ChainError."""
+    """Rotations (..., 3, 3) about vectors (..., 3) by their lengths [rad], after Rodrigues.
+
+    Raises ChainError.
+    """
     w = reals("vector", vector)
     if w.shape[-1:] != (3,):
         raise ChainError(f"vector takes shape (..., 3), got {w.shape}")
     angle = np.linalg.norm(w, axis=-1)[..., None, None]
     W = np.cross(w[..., None, :], np.eye(3)).mT
+
     # sinc(x) is sin(pi x) / (pi x); both quotients are right at angle 0
-    return (
-        np.eye(3) + np.sinc(angle / np.pi) * W + 0.5 * np.sinc(angle / (2 * np.pi)) ** 2 * (W @ W)
-    )
+    linear = np.sinc(angle / np.pi)
+    quadratic = 0.5 * np.sinc(angle / (2 * np.pi)) ** 2
+    return np.eye(3) + linear * W + quadratic * (W @ W)
+
+
+def inverse_transform(transform: Array) -> Array:
+    """Inverses (..., 4, 4) of rigid transforms (..., 4, 4)."""
+    inverse_rotation = transform[..., :3, :3].mT
+    inverse = np.zeros(transform.shape)
+    inverse[..., :3, :3] = inverse_rotation
+    inverse[..., :3, 3:] = -inverse_rotation @ transform[..., :3, 3:]
+    inverse[..., 3, 3] = 1.0
+    return inverse

@@ -8,19 +8,25 @@ from typing import NamedTuple
 
 from .errors import KinegradeError
 
-LENGTH, SIZE = 400, 1e12
+LENGTH = 400  # characters of a formula, at most
+DIGITS_OF_A_NUMBER = 40  # and of one number in it
+SIZE = 1e12  # of a number, at most; 1 / SIZE is the least
 GREEK = {
-    "θ": "theta", "ϑ": "theta", "α": "alpha", "β": "beta", "γ": "gamma", "φ": "phi", "ϕ": "phi", "ψ": "psi", "π": "pi",
+    "θ": "theta", "ϑ": "theta", "α": "alpha", "β": "beta", "γ": "gamma",
+    "φ": "phi", "ϕ": "phi", "ψ": "psi", "π": "pi",
 }  # fmt: skip
 SIGNS = {
-    "−": "-", "–": "-", "×": "*", "·": "*", "⋅": "*", "∙": "*", "∗": "*", "÷": "/", "**": "^", "==": "=",
-    "&&": "&", "∧": "&",
+    "−": "-", "–": "-",
+    "×": "*", "·": "*", "⋅": "*", "∙": "*", "∗": "*", "÷": "/", "**": "^",
+    "==": "=", "&&": "&", "∧": "&",
 }  # fmt: skip
-SUBSCRIPTS, SUPERSCRIPTS = "₀₁₂₃₄₅₆₇₈₉", "⁰¹²³⁴⁵⁶⁷⁸⁹"
+SUBSCRIPTS = "₀₁₂₃₄₅₆₇₈₉"
+SUPERSCRIPTS = "⁰¹²³⁴⁵⁶⁷⁸⁹"
 DIGITS = dict(zip(SUBSCRIPTS + SUPERSCRIPTS, "0123456789" * 2, strict=True))
 TRANSLATED = str.maketrans({**GREEK, **DIGITS, "{": None, "}": None})
 FORMULA = frozenset("-+*/^(),")
 PAIRS = {"(": ")", "[": "]"}
+CLOSING = frozenset(PAIRS.values())
 LETTER = f"A-Za-z_{''.join(GREEK)}"
 WORD = rf"[{LETTER}][{LETTER}0-9{SUBSCRIPTS}]*(?:(?<=_)\{{[0-9]+\}})?"  # s_{12}, too
 TOKEN = re.compile(
@@ -40,7 +46,9 @@ class ExpressionError(KinegradeError):
 
     def __init__(self, message: str, offset: int = 0, text: str = "") -> None:
         super().__init__(message)
-        self.message, self.offset, self.text = message, offset, text
+        self.message = message
+        self.offset = offset
+        self.text = text
 
     def __reduce__(self) -> tuple[type["ExpressionError"], tuple[str, int, str]]:
         return ExpressionError, (self.message, self.offset, self.text)
@@ -49,12 +57,18 @@ class ExpressionError(KinegradeError):
     def caret(self) -> str:
         """Two lines: the typed text around the place, and a caret under it."""
         start = max(0, self.offset - 40)
-        shown = "".join(c if c.isprintable() else " " for c in self.text[start : start + 70])
+        shown = self.text[start : start + 70]
+        for character in set(shown):
+            if not character.isprintable():
+                shown = shown.replace(character, " ")
+
         return f"{shown}\n{' ' * (self.offset - start)}^"
 
 
 class Token(NamedTuple):
-    kind: str  # number, name, sign or end
+    """A piece of the text; `kind` is "number", "name", "sign" or "end"."""
+
+    kind: str
     text: str
     offset: int
     typed: str = ""  # a name as it stands there: θ₁ for theta1
@@ -62,7 +76,10 @@ class Token(NamedTuple):
 
 @contextmanager
 def refusing(text: object, what: str = "a formula") -> Generator[str]:
-    """The typed text, which an ExpressionError raised inside takes along; ExpressionError where it is no text."""
+    """The typed text, which an ExpressionError raised inside takes along.
+
+    Raises ExpressionError where it is no text.
+    """
     if not isinstance(text, str):  # what a notebook held may be anything
         raise ExpressionError(f"{what} takes text, got {type(text).__name__}")
     try:
@@ -73,22 +90,20 @@ def refusing(text: object, what: str = "a formula") -> Generator[str]:
 
 
 def tokens_of(text: str, signs: frozenset[str] = FORMULA, length: int = LENGTH) -> list[Token]:
-    """Tokens of a text, the last of kind "end"; line ends are tokens where they are among the signs.
+    """Tokens of a text, the last of kind "end"; line ends are tokens where they are among `signs`.
 
     Raises ExpressionError where the text is too long or has a character without meaning.
     """
     if len(text) > length:
         raise ExpressionError(f"a formula takes up to {length} characters, got {len(text)}", length)
+
     tokens = list[Token]()
     for match in TOKEN.finditer(text):  # any character is a token: what has no meaning is a sign
         kind, found, place = str(match.lastgroup), match[0], match.start()
         if kind == "power":
             tokens += _power(text, match)
         elif kind == "sign":
-            plain = SIGNS.get(found, found)
-            if plain not in signs:
-                raise ExpressionError(f"{found!r} has no meaning in a formula", place)
-            tokens.append(Token("sign", plain, place))
+            tokens.append(_sign(found, place, signs))
         elif kind == "line" and "\n" in signs:
             tokens.append(Token("sign", "\n", place))
         elif kind in ("number", "name", "end"):
@@ -96,14 +111,26 @@ def tokens_of(text: str, signs: frozenset[str] = FORMULA, length: int = LENGTH) 
     return tokens
 
 
+def _sign(found: str, place: int, signs: frozenset[str]) -> Token:
+    plain = SIGNS.get(found, found)
+    if plain not in signs:
+        raise ExpressionError(f"{found!r} has no meaning in a formula", place)
+    return Token("sign", plain, place)
+
+
 def _power(text: str, match: re.Match[str]) -> list[Token]:
+    """The tokens ^ - 2 of a superscript such as ⁻²."""
     place = match.start()
     if POWER.match(text, match.end()):
         raise ExpressionError("two powers in a row take brackets, as in (x²)^3", place)
-    sign, digits = "-" * match[0].startswith("⁻"), match[0].removeprefix("⁻").translate(TRANSLATED)
-    return [Token("sign", part, place) for part in ("^", sign) if part] + [
-        Token("number", digits, place)
-    ]
+
+    tokens = [Token("sign", "^", place)]
+    if match[0].startswith("⁻"):
+        tokens.append(Token("sign", "-", place))
+
+    digits = match[0].removeprefix("⁻").translate(TRANSLATED)
+    tokens.append(Token("number", digits, place))
+    return tokens
 
 
 def paired(tokens: Sequence[Token]) -> None:
@@ -114,33 +141,52 @@ def paired(tokens: Sequence[Token]) -> None:
             awaited.append(PAIRS[token.text])
         elif token.kind == "end" and awaited:
             raise ExpressionError("a closing bracket is missing", token.offset)
-        elif token.text in PAIRS.values():
-            if not awaited:
-                raise ExpressionError("this bracket was never opened", token.offset)
-            if token.text != awaited[-1]:
-                raise ExpressionError(
-                    f"'{awaited[-1]}' is expected, got '{token.text}'", token.offset
-                )
-            awaited.pop()
+        elif token.text in CLOSING:
+            _close(token, awaited)
+
+
+def _close(token: Token, awaited: list[str]) -> None:
+    """Take the closing bracket that is awaited last off the list."""
+    if not awaited:
+        raise ExpressionError("this bracket was never opened", token.offset)
+    expected = awaited.pop()
+    if token.text != expected:
+        raise ExpressionError(f"'{expected}' is expected, got '{token.text}'", token.offset)
 
 
 def split(tokens: Sequence[Token], separators: Collection[str]) -> list[list[Token]]:
-    """Tokens between the separators that stand in no brackets; each part ends with a token of kind "end"."""
-    parts, depth = [list[Token]()], 0
+    """Tokens between the separators that stand in no brackets.
+
+    Each part ends with a token of kind "end".
+    """
+    parts = list[list[Token]]()
+    part = list[Token]()
+    depth = 0
     for token in tokens:
-        depth += (token.text in PAIRS) - (token.text in PAIRS.values())
-        if token.kind == "end" or (not depth and token.kind == "sign" and token.text in separators):
-            parts[-1].append(Token("end", "", token.offset))
-            parts.append([])
+        if token.text in PAIRS:
+            depth += 1
+        elif token.text in CLOSING:
+            depth -= 1
+
+        separates = depth == 0 and token.kind == "sign" and token.text in separators
+        if separates or token.kind == "end":
+            parts.append([*part, Token("end", "", token.offset)])
+            part = list[Token]()
         else:
-            parts[-1].append(token)
-    return parts[:-1]
+            part.append(token)
+    return parts
 
 
 def number(text: str, offset: int) -> float:
     """Value of a number token; ExpressionError beyond 1e12 and, unless it is 0, below 1e-12."""
-    value = float(text) if len(text) <= 40 else math.inf
-    if value > SIZE or (value < 1 / SIZE and re.search("[1-9]", re.split("[eE]", text)[0])):
+    value = math.inf
+    if len(text) <= DIGITS_OF_A_NUMBER:
+        value = float(text)
+
+    # 1e-400 is 0 in floating point, but was not meant as 0
+    mantissa = re.split("[eE]", text)[0]
+    too_small = value < 1 / SIZE and re.search("[1-9]", mantissa) is not None
+    if value > SIZE or too_small:
         raise ExpressionError(
             f"a number takes a size between {1 / SIZE:g} and {SIZE:g}, or 0", offset
         )

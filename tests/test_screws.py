@@ -7,12 +7,13 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from kinegrade.solutions.axes import along, inverse
+from kinegrade.solutions.axes import along
 from kinegrade.solutions.chain import Array, Chain, ChainError
 from kinegrade.solutions.jacobian import jacobian
 from kinegrade.solutions.kinematics import forward
 from kinegrade.solutions.random_chain import random_chain
 from kinegrade.solutions.robots import ROBOTS, Robot
+from kinegrade.solutions.rotation import inverse_transform
 from kinegrade.solutions.screws import from_screws, screws
 
 every = pytest.mark.parametrize("arm", ROBOTS.values(), ids=list(ROBOTS))
@@ -105,7 +106,7 @@ def test_a_frame_along_an_axis_is_right_handed(z: tuple[float, ...]):
     np.testing.assert_allclose(frame[:3, 2], unit, rtol=0, atol=0)
     np.testing.assert_allclose(frame[:3, :3].T @ frame[:3, :3], np.eye(3), rtol=0, atol=1e-15)
     assert np.linalg.det(frame[:3, :3]) == pytest.approx(1)
-    np.testing.assert_allclose(frame @ inverse(frame), np.eye(4), rtol=0, atol=1e-15)
+    np.testing.assert_allclose(frame @ inverse_transform(frame), np.eye(4), rtol=0, atol=1e-15)
 
 
 @pytest.mark.parametrize(

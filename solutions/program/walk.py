@@ -7,6 +7,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from ..chain import Array, Chain, elementary, snapped_transforms
+from ..rotation import inverse_transform
 from .tracer import Angle, Operation, Rows, Signed, Sum, Tracer, Value, Vector, negated, rotation
 
 Wanted = Literal["base", "tool", "pose", "frames"]
@@ -100,7 +101,7 @@ def _there(tracer: Tracer, chain: Chain) -> Walk:
 
 def _back(tracer: Tracer, chain: Chain) -> Walk:
     """Walk the inverse chain, from the tool to the base: axes and points appear in tool coordinates."""
-    fixed = np.array([_inverse(C) for C in chain.fixed[::-1]])
+    fixed = inverse_transform(chain.fixed[::-1])
     return _walk(
         tracer, fixed, chain.kinds[::-1], [(-1, joint) for joint in reversed(range(chain.n))]
     )
@@ -231,10 +232,3 @@ def _folded(C: Array) -> tuple[float, Array, float]:
 
 def _translation(C: Array) -> Vector:
     return [float(x) for x in C[:3, 3]]
-
-
-def _inverse(C: Array) -> Array:
-    inverse = np.eye(4)
-    inverse[:3, :3] = C[:3, :3].T
-    inverse[:3, 3] = -C[:3, :3].T @ C[:3, 3]
-    return inverse
