@@ -60,15 +60,12 @@ class Tracer:
 
     def multiply(self, a: Value, b: Value) -> Value:
         """Product of two values; factors 0, 1 and -1 cost no step."""
-        if isinstance(a, Signed) and isinstance(b, Signed):
-            left, right = sorted((a.name, b.name))
-            return Signed(self._step("multiply", left, right), a.negative != b.negative)
-
-        if isinstance(a, Signed):
+        if not isinstance(a, Signed):
+            return self._scaled(b, a) if isinstance(b, Signed) else a * b
+        if not isinstance(b, Signed):
             return self._scaled(a, b)
-        if isinstance(b, Signed):
-            return self._scaled(b, a)
-        return a * b
+        left, right = sorted((a.name, b.name))
+        return Signed(self._step("multiply", left, right), a.negative != b.negative)
 
     def add(self, a: Value, b: Value) -> Value:
         """Sum of two values; zeros, and a value and its negative, cost no step."""
