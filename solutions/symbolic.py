@@ -12,7 +12,7 @@ import sympy as sp
 from .closed_forms.polynomial import ONE, ZERO, Polynomial, polynomial, total
 
 if TYPE_CHECKING:
-    from collections.abc import Collection, Mapping, Sequence
+    from collections.abc import Collection, Iterable, Mapping, Sequence
 
     from .expression import Expression
 
@@ -160,10 +160,10 @@ def closed_form(robot: Mechanism) -> ClosedForm:
 
     columns = list[sp.Matrix]()
     for q, kind, (R, _) in zip(joints, robot.kinds, axes, strict=True):
-        linear = [x.diff(q).expression() for x in state.p]
-        angular = [0, 0, 0]
+        linear = _expressions(x.diff(q) for x in state.p)
+        angular = [sp.S.Zero] * 3
         if kind == "R":
-            angular = [z.expression() for _, _, z in R]
+            angular = _expressions(z for _, _, z in R)
         columns.append(sp.Matrix([*linear, *angular]))
     return ClosedForm(tuple(frames), frames[-1], sp.Matrix.hstack(*columns), parameters, joints)
 
@@ -215,8 +215,12 @@ def _dot(row: Row, column: Row) -> Polynomial:
 def _frame(R: Rows, p: Row) -> sp.Matrix:
     rows = list[list[Any]]()
     for row, x in zip(R, p, strict=True):
-        rows.append([entry.expression() for entry in (*row, x)])
+        rows.append(_expressions([*row, x]))
     return sp.Matrix([*rows, [0, 0, 0, 1]])
+
+
+def _expressions(entries: Iterable[Polynomial]) -> list[sp.Expr]:
+    return [entry.expression() for entry in entries]
 
 
 def _joint_index(term: sp.Expr) -> str:
