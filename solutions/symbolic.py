@@ -4,27 +4,70 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, Protocol
 
 import sympy as sp
 
 from .closed_forms.polynomial import ONE, ZERO, Polynomial, polynomial, total
 
 if TYPE_CHECKING:
-    from collections.abc import Collection, Sequence
+    from collections.abc import Collection, Iterable, Mapping, Sequence
 
     from .expression import Expression
-    from .robot import Robot
 
-Rows = tuple[tuple[Polynomial, ...], ...]
-IDENTITY: Rows = tuple(tuple(ONE if i == j else ZERO for j in range(3)) for i in range(3))
+    Steps = Sequence[tuple[str, Expression]]
+
+Row = tuple[Polynomial, ...]
+Rows = tuple[Row, ...]
+IDENTITY: Rows = ((ONE, ZERO, ZERO), (ZERO, ONE, ZERO), (ZERO, ZERO, ONE))
+
+
+class Mechanism(Protocol):
+    """What a closed form is made from: names, joint types and elementary motions, as of a Robot."""
+
+    @property
+    def parameters(self) -> Mapping[str, float]:
+        """Values of the parameters by name; only the names are read."""
+        ...
+
+    @property
+    def joints(self) -> Sequence[str]:
+        """Names of the joint variables."""
+        ...
+
+    @property
+    def kinds(self) -> str:
+        """Joint types in order, "R" revolute and "P" prismatic."""
+        ...
+
+    @property
+    def convention(self) -> str:
+        """Of the frames: those of "standard" come before the motion of their joint."""
+        ...
+
+    @cached_property
+    def base_steps(self) -> Steps:
+        """Motions from the base to the first row."""
+        ...
+
+    @cached_property
+    def steps(self) -> Sequence[Steps]:
+        """Motions of each row."""
+        ...
+
+    @cached_property
+    def tool_steps(self) -> Steps:
+        """Motions from the last frame to the tool."""
+        ...
 
 
 @dataclass(frozen=True, eq=False)
 class ClosedForm:
-    """Frames (4 x 4), tool transform T and Jacobian J (6 x n) of a robot, with angles of parallel axes merged.
+    """Frames (4 x 4), tool transform T and Jacobian J (6 x n) of a robot.
 
-    `frames` are those of Robot.frames. Every symbol is Symbol(name, real=True).
+    Angles of parallel axes are merged. `frames` are those of Robot.frames. Every symbol is
+    Symbol(name, real=True).
     """
 
     frames: tuple[sp.Matrix, ...]
@@ -35,19 +78,22 @@ class ClosedForm:
 
 
 class Turning:
-    """A frame whose rotation is base Rz(angle): the angles of parallel axes add before a cosine is taken."""
+    """A frame of rotation base Rz(angle): angles of parallel axes add before a cosine is taken."""
 
     def __init__(self, joints: Collection[sp.Symbol]) -> None:
         self.joints = set(joints)
-        self.base, self.angle = IDENTITY, sp.S.Zero
-        self.p: tuple[Polynomial, ...] = (ZERO, ZERO, ZERO)
+        self.base = IDENTITY
+        self.angle = sp.S.Zero
+        self.p: Row = (ZERO, ZERO, ZERO)
 
     @property
     def rotation(self) -> Rows:
         """Rows of the rotation."""
-        return times(self.base, rotation("z", self.angle)) if self.angle else self.base
+        if not self.angle:
+            return self.base
+        return times(self.base, rotation("z", self.angle))
 
-    def follow(self, steps: Sequence[tuple[str, Expression]]) -> None:
+    def follow(self, steps: Steps) -> None:
         """Go on by elementary motions."""
         for motion, amount in steps:
             self.move(motion, amount.sympy())
@@ -56,36 +102,50 @@ class Turning:
         """Go on by one motion."""
         if amount == 0:
             return
-        axis = "xyz".index(motion[1])
         if motion[0] == "T":
-            length = polynomial(amount)
-            self.p = tuple(
-                x + row[axis] * length for x, row in zip(self.p, self.rotation, strict=True)
-            )
-        elif motion[1] == "z":
-            turning = sum(
-                (term for term in sp.Add.make_args(amount) if term.free_symbols & self.joints),
-                sp.S.Zero,
-            )
-            if amount != turning:
-                self.base = times(self.base, rotation("z", amount - turning))
-            self.angle += turning
+            self._slide(motion[1], amount)
+        elif motion == "Rz":
+            self._turn(amount)
         else:
-            turn = rotation(motion[1], amount)
-            # half a turn about x or y only reverses the axis: Rz(s) F = F Rz(-s)
-            reverses = turn[2][2].terms == {(): -1}
-            self.base = times(self.base if reverses else self.rotation, turn)
-            self.angle = -self.angle if reverses else sp.S.Zero
+            self._tilt(motion[1], amount)
+
+    def _slide(self, axis: str, amount: sp.Expr) -> None:
+        column = "xyz".index(axis)
+        length = polynomial(amount)
+        p = [x + row[column] * length for x, row in zip(self.p, self.rotation, strict=True)]
+        self.p = tuple(p)
+
+    def _turn(self, amount: sp.Expr) -> None:
+        """Turn about z; what no joint turns goes into the base."""
+        turning = sp.S.Zero
+        for term in sp.Add.make_args(amount):
+            if term.free_symbols & self.joints:
+                turning += term
+        if amount != turning:
+            self.base = times(self.base, rotation("z", amount - turning))
+        self.angle += turning
+
+    def _tilt(self, axis: str, amount: sp.Expr) -> None:
+        """Turn about x or y, after which z is another axis."""
+        turn = rotation(axis, amount)
+        # half a turn only reverses the axis: Rz(s) F = F Rz(-s)
+        if turn[2][2].terms == {(): -1}:
+            self.base = times(self.base, turn)
+            self.angle = -self.angle
+        else:
+            self.base = times(self.rotation, turn)
+            self.angle = sp.S.Zero
 
 
-def closed_form(robot: Robot) -> ClosedForm:
+def closed_form(robot: Mechanism) -> ClosedForm:
     """Closed form of a robot in its named parameters.
 
-    The linear rows are derivatives of p (S1, section 5.10), which holds each cosine and sine to the first power;
-    the angular rows are the joint axes.
+    The linear rows are derivatives of p (S1, section 5.10), which holds each cosine and sine to the
+    first power; the angular rows are the joint axes.
     """
     parameters = tuple(sp.Symbol(name, real=True) for name in robot.parameters)
     joints = tuple(sp.Symbol(name, real=True) for name in robot.joints)
+
     state = Turning(joints)
     state.follow(robot.base_steps)
     reached = [(state.rotation, state.p)]
@@ -93,25 +153,32 @@ def closed_form(robot: Robot) -> ClosedForm:
         state.follow(steps)
         reached.append((state.rotation, state.p))
     state.follow(robot.tool_steps)
+
     axes = reached[:-1] if robot.convention == "standard" else reached[1:]
-    frames = tuple(_frame(R, p) for R, p in (*axes, (state.rotation, state.p)))
-    columns = [
-        [x.diff(q) for x in state.p] + [row[2] if kind == "R" else ZERO for row in R]
-        for q, kind, (R, _) in zip(joints, robot.kinds, axes, strict=True)
-    ]
-    J = sp.Matrix([[entry.expression() for entry in row] for row in zip(*columns, strict=True)])
-    return ClosedForm(frames, frames[-1], J, parameters, joints)
+    frames = [_frame(R, p) for R, p in axes]
+    frames.append(_frame(state.rotation, state.p))
+
+    columns = list[sp.Matrix]()
+    for q, kind, (R, _) in zip(joints, robot.kinds, axes, strict=True):
+        linear = _expressions(x.diff(q) for x in state.p)
+        angular = [sp.S.Zero] * 3
+        if kind == "R":
+            angular = _expressions(z for _, _, z in R)
+        columns.append(sp.Matrix([*linear, *angular]))
+    return ClosedForm(tuple(frames), frames[-1], sp.Matrix.hstack(*columns), parameters, joints)
 
 
 def rotation(axis: str, angle: sp.Expr) -> Rows:
     """Rows of the rotation about x, y or z."""
     i = "xyz".index(axis)
     j, k = (i + 1) % 3, (i + 2) % 3
+    cosine, sine = polynomial(sp.cos(angle)), polynomial(sp.sin(angle))
     rows = [list(row) for row in IDENTITY]
-    rows[j][j] = rows[k][k] = polynomial(sp.cos(angle))
-    rows[k][j] = polynomial(sp.sin(angle))
-    rows[j][k] = -rows[k][j]
-    return tuple(map(tuple, rows))
+    rows[j][j] = cosine
+    rows[k][k] = cosine
+    rows[k][j] = sine
+    rows[j][k] = -sine
+    return tuple(tuple(row) for row in rows)
 
 
 def shorthand(expression: Any) -> Any:
@@ -119,34 +186,48 @@ def shorthand(expression: Any) -> Any:
     replaced = {}
     for function in expression.atoms(sp.cos, sp.sin):
         indices = [_joint_index(term) for term in sp.Add.make_args(function.args[0])]
-        if all(indices):
-            letter = "c" if isinstance(function, sp.cos) else "s"
-            replaced[function] = sp.Symbol(
-                f"{letter}_{''.join(sorted(indices, key=int))}", real=True
-            )
+        if not all(indices):
+            continue
+        letter = "c" if isinstance(function, sp.cos) else "s"
+        name = f"{letter}_{''.join(sorted(indices, key=int))}"
+        replaced[function] = sp.Symbol(name, real=True)
     return expression.xreplace(replaced)
 
 
 def times(left: Rows, right: Rows) -> Rows:
     """Product of two rotations."""
-    columns = tuple(zip(*right, strict=True))
-    return tuple(
-        tuple(
-            total(a * b for a, b in zip(row, column, strict=True) if a.terms and b.terms)
-            for column in columns
-        )
-        for row in left
-    )
+    columns = list(zip(*right, strict=True))
+    return tuple(_row_times(row, columns) for row in left)
 
 
-def _frame(R: Rows, p: Sequence[Polynomial]) -> sp.Matrix:
-    rows = [
-        [*(entry.expression() for entry in row), x.expression()]
-        for row, x in zip(R, p, strict=True)
-    ]
+def _row_times(row: Row, columns: Sequence[Row]) -> Row:
+    return tuple(_dot(row, column) for column in columns)
+
+
+def _dot(row: Row, column: Row) -> Polynomial:
+    products = list[Polynomial]()
+    for a, b in zip(row, column, strict=True):
+        if a.terms and b.terms:
+            products.append(a * b)
+    return total(products)
+
+
+def _frame(R: Rows, p: Row) -> sp.Matrix:
+    rows = list[list[Any]]()
+    for row, x in zip(R, p, strict=True):
+        rows.append(_expressions([*row, x]))
     return sp.Matrix([*rows, [0, 0, 0, 1]])
 
 
+def _expressions(entries: Iterable[Polynomial]) -> list[sp.Expr]:
+    return [entry.expression() for entry in entries]
+
+
 def _joint_index(term: sp.Expr) -> str:
-    name = term.name if isinstance(term, sp.Symbol) else ""
-    return name[1:] if name[:1] == "q" and name[1:].isdigit() else ""
+    """The digits of a joint such as q12; empty for anything else."""
+    if not isinstance(term, sp.Symbol):
+        return ""
+    letter, digits = term.name[:1], term.name[1:]
+    if letter == "q" and digits.isdigit():
+        return digits
+    return ""

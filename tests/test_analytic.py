@@ -1,4 +1,4 @@
-"""Angles of rotations and the Jacobians of their rates: golden numbers, finite differences, lost representations."""
+"""Angles of rotations and Jacobians of their rates: golden numbers, differences, lost angles."""
 
 import math
 from itertools import product

@@ -1,4 +1,4 @@
-"""Whatever path a Jacobian takes - plain math, rows, many blocks, folded turns - it is the same Jacobian."""
+"""Whatever path a Jacobian takes - plain math, rows, blocks, folds - it is the same Jacobian."""
 
 import math
 from typing import Any, Literal
@@ -22,7 +22,8 @@ from kinegrade.solutions.program.emit import (
     rows,
     used_angles,
 )
-from kinegrade.solutions.program.walk import _folded, trace
+from kinegrade.solutions.program.links import folded
+from kinegrade.solutions.program.walk import trace
 from kinegrade.solutions.robots import ROBOTS
 
 PUMA = ROBOTS["puma560"].chain()
@@ -294,7 +295,7 @@ def test_a_folded_turn_is_the_same_turn(amounts: tuple[float, float, float], abo
         @ elementary("Rz", last)
         @ elementary("Ty", 0.3)
     )
-    before, D, behind = _folded(C)
+    before, D, behind = folded(C)
     np.testing.assert_allclose(
         elementary("Rz", before) @ D @ elementary("Rz", behind), C, rtol=0, atol=2e-15
     )

@@ -1,4 +1,4 @@
-"""The traced Jacobian against finite differences, the printed numbers of S0, and its own promises."""
+"""The traced Jacobian against finite differences, printed numbers of S0, and its own promises."""
 
 import math
 from concurrent.futures import ThreadPoolExecutor
@@ -29,7 +29,10 @@ TWO = np.zeros((2, 6))
 
 
 def differenced(chain: Chain, q: Array) -> Array:
-    """Base-frame Jacobian (6, n) from five-point differences of forward(): dp above the axial vector of dR R^T."""
+    """Base-frame Jacobian (6, n) from five-point differences of forward().
+
+    dp stands above the axial vector of dR R^T.
+    """
     columns = list[Array]()
     R = forward(chain, q)[:3, :3]
     for direction in np.eye(chain.n):
@@ -52,7 +55,7 @@ lengths = st.just(0.0) | st.floats(-1.0, 1.0)
 
 @st.composite
 def chains(draw: st.DrawFn) -> tuple[Chain, Array]:
-    """Random arms of one to eight joints, revolute and prismatic, with parallel axes and links of no length."""
+    """Random arms of one to eight joints, with parallel axes and links of no length."""
     kinds = "".join(draw(st.lists(st.sampled_from("RP"), min_size=1, max_size=8)))
     table = [[draw(angles), draw(lengths), draw(lengths), draw(angles)] for _ in kinds]
     ends = [elementary("Ry", draw(angles)) @ elementary("Tx", draw(lengths)) for _ in range(2)]

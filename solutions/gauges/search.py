@@ -5,8 +5,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..axes import inverse
 from ..chain import Array, Chain, elementary
+from ..rotation import inverse_transform
 from .gauge import Gauge
 
 REVERSAL = np.diag([1.0, -1.0, -1.0])
@@ -68,7 +68,7 @@ class Search:
             yield start
 
     def _given_base(self, nothing: tuple[Array, Array, Array, tuple[str, ...]]) -> Iterator[Gauge]:
-        between = inverse(self.first.fixed[0]) @ self.second.fixed[0]
+        between = inverse_transform(self.first.fixed[0]) @ self.second.fixed[0]
         sign = float(np.sign(between[2, 2]))
         if abs(abs(between[2, 2]) - 1) > self.angle:
             self.note(1, "axis 1 has another direction")

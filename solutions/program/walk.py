@@ -1,21 +1,21 @@
 """The straight-line program of a chain: one walk over its rows, traced once."""
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Literal, NamedTuple
+from typing import Literal
 
-import numpy as np
-
-from ..chain import Array, Chain, elementary, snapped_transforms
-from ..rotation import inverse_transform
-from .tracer import Angle, Operation, Rows, Signed, Sum, Tracer, Value, Vector, negated, rotation
+from ..chain import Chain
+from .links import Link, Walk, from_base_to_tool, from_tool_to_base
+from .tracer import Angle, Operation, Rows, Signed, Sum, Tracer, Value, Vector, negated, registers
 
 Wanted = Literal["base", "tool", "pose", "frames"]
+Outputs = tuple[Vector, tuple[int, ...]]
+Way = Callable[[Tracer, Chain], Outputs]
 
 
 @dataclass(frozen=True)
 class Program:
-    """Steps from joint values q0 ..., cosines c0 ... and sines s0 ... of `angles` to `outputs` in `shape`.
+    """Steps from q0 ..., cosines c0 ... and sines s0 ... of `angles` to `outputs` in `shape`.
 
     Angle i is the sum of its joint values plus `shifts`[i].
     """
@@ -28,89 +28,78 @@ class Program:
     shape: tuple[int, ...]
 
 
-class Link(NamedTuple):
-    """A joint and the constant behind it, Rz(angle) Tz(along) [F offset], in the frame of rotation `base`.
-
-    `angle` is the sum of the joint's own and of the parallel ones `before` it.
-    """
-
-    kind: str
-    base: Rows
-    before: Angle
-    angle: Angle
-    along: Value
-    F: Rows
-    offset: Vector
-    parallel: bool
-
-
-class Walk(NamedTuple):
-    """C0 E1 C1 ... En Cn: the translation of C0, the links, and the rotation behind the last one."""
-
-    start: Vector
-    links: list[Link]
-    end: Rows
-
-
-Outputs = tuple[Vector, tuple[int, ...]]
-
-
 def trace(chain: Chain, wanted: Wanted) -> Program:
-    """Program of the Jacobian in the base or tool frame, of the tool's pose or of all axis frames."""
-    ways = {
+    """Program of the Jacobian in the base or tool frame, of the tool's pose or of all axis frames.
+
+    It is the shortest of the ways there are, with constant turns folded into the angles or not.
+    """
+    ways: dict[Wanted, tuple[Way, ...]] = {
         "base": (_base,),
         "tool": (_tool, _tool_by_cross),
         "pose": (_pose,),
         "frames": (_frames,),
     }
-    programs = [_traced(chain, way, folds=folds) for folds in (False, True) for way in ways[wanted]]
-    return min(
-        programs,
-        key=lambda program: len(program.steps) + len(program.shifts) - program.shifts.count(0.0),
-    )
+    programs = list[Program]()
+    for folds in (False, True):
+        programs += [_traced(chain, way, folds=folds) for way in ways[wanted]]
+    return min(programs, key=_cost)
 
 
-def _traced(chain: Chain, way: Callable[[Tracer, Chain], Outputs], *, folds: bool) -> Program:
+def used_angles(program: Program) -> list[int]:
+    """Indices of the angles whose cosine or sine the program reads."""
+    read = set[str | float](registers(program.outputs))
+    for step in program.steps:
+        read |= {step.left, step.right}
+    return [i for i in range(len(program.angles)) if f"c{i}" in read or f"s{i}" in read]
+
+
+def _cost(program: Program) -> int:
+    """Operations, those on angles included."""
+    shifted = len(program.shifts) - program.shifts.count(0.0)
+    return len(program.steps) + shifted
+
+
+def _traced(chain: Chain, way: Way, *, folds: bool) -> Program:
     tracer = Tracer(folds=folds)
-    outputs, shape = way(tracer, chain)
-    plain = tuple(
-        x if isinstance(x, Signed) else x + 0.0 for x in outputs
-    )  # no zero prints as -0.0
-    angles, shifts = tuple(x.joints for x in tracer.angles), tuple(x.shift for x in tracer.angles)
-    return Program(chain.kinds, angles, shifts, _live(tracer.steps, plain), plain, shape)
+    values, shape = way(tracer, chain)
+    outputs = tuple(_without_negative_zero(x) for x in values)
+    angles = tuple(x.joints for x in tracer.angles)
+    shifts = tuple(x.shift for x in tracer.angles)
+    return Program(chain.kinds, angles, shifts, _live(tracer.steps, outputs), outputs, shape)
 
 
-def _walk(tracer: Tracer, fixed: Array, kinds: str, joints: Sequence[tuple[int, int]]) -> Walk:
-    """Walk E and C alternately; `joints` (sign, index) says which joint value each E takes."""
-    base, before, links = rotation(fixed[0]), Angle(), list[Link]()
-    for kind, (sign, joint), fixture in zip(kinds, joints, fixed[1:], strict=True):
-        shift, C, behind = _folded(fixture) if tracer.folds else (0.0, fixture, 0.0)
-        angle = before.plus(((sign, joint),) if kind == "R" else (), shift)
-        along: Value = 0.0 if kind == "R" else Signed(f"q{joint}", sign < 0)
-        # Rz(s) F = F Rz(+-s) where F keeps the axis: parallel axes share one angle, however they are offset
-        F, parallel = rotation(C), not C[:2, 2].any()
-        links.append(Link(kind, base, before, angle, along, F, _translation(C), parallel))
-        base = tracer.product(base if parallel else tracer.turned(base, angle), F)
-        before = (angle if C[2, 2] > 0 else angle.opposite()) if parallel else Angle(shift=behind)
-    return Walk(_translation(fixed[0]), links, tracer.turned(base, before))
+def _without_negative_zero(value: Value) -> Value:
+    if isinstance(value, Signed):
+        return value
+    return value + 0.0
 
 
-def _there(tracer: Tracer, chain: Chain) -> Walk:
-    return _walk(tracer, chain.fixed, chain.kinds, [(1, joint) for joint in range(chain.n)])
+def _live(steps: Sequence[Operation], outputs: Sequence[Value]) -> tuple[Operation, ...]:
+    """The steps that outputs need, each just before its first use: few values wait at any time."""
+    made: dict[str | float, Operation] = {step.target: step for step in steps}
+    ordered = dict[str | float, Operation]()
+    # depth first on a stack of our own: a long arm is deeper than Python's
+    waiting: list[str | float] = [*reversed(registers(outputs))]
+    while waiting:
+        register = waiting.pop()
+        step = made.get(register)
+        if step is None or register in ordered:
+            continue
 
-
-def _back(tracer: Tracer, chain: Chain) -> Walk:
-    """Walk the inverse chain, from the tool to the base: axes and points appear in tool coordinates."""
-    fixed = inverse_transform(chain.fixed[::-1])
-    return _walk(
-        tracer, fixed, chain.kinds[::-1], [(-1, joint) for joint in reversed(range(chain.n))]
-    )
+        operands = (step.right, step.left)
+        missing = [x for x in operands if x in made and x not in ordered]
+        if missing:
+            waiting += [register, *missing]
+        else:
+            ordered[register] = step
+    return tuple(ordered.values())
 
 
 def _base(tracer: Tracer, chain: Chain) -> Outputs:
-    walk = _there(tracer, chain)
+    walk = from_base_to_tool(tracer, chain)
     levers = _levers(tracer, walk)
-    return _by_rows([_column(tracer, link, p) for link, p in zip(walk.links, levers, strict=True)])
+    columns = [_column(tracer, link, p) for link, p in zip(walk.links, levers, strict=True)]
+    return _by_rows(columns)
 
 
 def _levers(tracer: Tracer, walk: Walk) -> list[Vector]:
@@ -121,114 +110,100 @@ def _levers(tracer: Tracer, walk: Walk) -> list[Vector]:
     p: Vector = [0.0, 0.0, 0.0]
     levers = list[Vector]()
     for link in reversed(walk.links):
-        p = [tracer.dot(row, p) for row in link.F]
+        p = tracer.times(link.F, p)
+        back = link.angle.opposite()
         if link.parallel:
-            p = tracer.plus(tracer.turned([link.offset], link.angle.opposite())[0], p)
+            p = tracer.plus(_turned(tracer, link.offset, back), p)
         else:
-            p = tracer.turned([tracer.plus(link.offset, p)], link.angle.opposite())[0]
-        p = [*p[:2], tracer.add(p[2], link.along)]
+            p = _turned(tracer, tracer.plus(link.offset, p), back)
+        p = _slid(tracer, p, link)
         levers.append(p)
     return levers[::-1]
 
 
 def _tool(tracer: Tracer, chain: Chain) -> Outputs:
-    walk = _back(tracer, chain)
-    p = tracer.product([walk.start], walk.links[0].base)[
-        0
-    ]  # from the tool to each joint, in axes of its base
+    walk = from_tool_to_base(tracer, chain)
+    # from the tool to each joint, in axes of its base
+    p = tracer.product([walk.start], walk.links[0].base)[0]
     columns = list[Vector]()
     for link in walk.links:
         columns.append(_column(tracer, link, [negated(x) for x in p]))
-        p = [*p[:2], tracer.add(p[2], link.along)]
+        p = _slid(tracer, p, link)
         if link.parallel:
-            p = tracer.plus(p, tracer.turned([link.offset], link.angle.opposite())[0])
+            p = tracer.plus(p, _turned(tracer, link.offset, link.angle.opposite()))
         else:
-            p = tracer.plus(tracer.turned([p], link.angle)[0], link.offset)
+            p = tracer.plus(_turned(tracer, p, link.angle), link.offset)
         p = tracer.product([p], link.F)[0]
     return _by_rows(columns[::-1])
 
 
 def _tool_by_cross(tracer: Tracer, chain: Chain) -> Outputs:
     """All in tool axes: shorter where links are many and axes few, as in the Stanford arm."""
-    walk, columns = _back(tracer, chain), list[Vector]()
+    walk = from_tool_to_base(tracer, chain)
+    columns = list[Vector]()
     for link, o in zip(walk.links, _origins(tracer, walk), strict=False):
-        z = [row[2] for row in link.base]
-        columns.append([*tracer.cross(o, z), *z] if link.kind == "R" else [*z, 0.0, 0.0, 0.0])
+        if link.kind == "R":
+            columns.append([*tracer.cross(o, link.z), *link.z])
+        else:
+            columns.append([*link.z, 0.0, 0.0, 0.0])
     return _by_rows(columns[::-1])
 
 
 def _column(tracer: Tracer, link: Link, lever: Vector) -> Vector:
     """Axis and moment of a joint; in the axes of its base z x lever = (-y, x, 0)."""
-    z = [row[2] for row in link.base]
     if link.kind == "P":
-        return [*z, 0.0, 0.0, 0.0]
-    return [*(tracer.dot(row[:2], (negated(lever[1]), lever[0])) for row in link.base), *z]
+        return [*link.z, 0.0, 0.0, 0.0]
+    x, y, _ = lever
+    return [*tracer.times(link.base, [negated(y), x, 0.0]), *link.z]
+
+
+def _turned(tracer: Tracer, p: Vector, angle: Angle) -> Vector:
+    """The vector Rz(-angle) p: as a row, p times Rz(angle)."""
+    return tracer.turned([p], angle)[0]
+
+
+def _slid(tracer: Tracer, p: Vector, link: Link) -> Vector:
+    x, y, z = p
+    return [x, y, tracer.add(z, link.along)]
 
 
 def _by_rows(columns: list[Vector]) -> Outputs:
-    return [column[row] for row in range(6) for column in columns], (6, len(columns))
+    entries = Vector()
+    for row in range(6):
+        entries += [column[row] for column in columns]
+    return entries, (6, len(columns))
 
 
 def _origins(tracer: Tracer, walk: Walk) -> list[Vector]:
     """Origins of the frames before each joint and of the last."""
     origins = [walk.start]
     for link in walk.links:
-        along = [tracer.multiply(row[2], link.along) for row in link.base]
+        along = [tracer.multiply(x, link.along) for x in link.z]
         R = tracer.turned(link.base, link.angle)
-        step = tracer.plus([tracer.dot(row, link.offset) for row in R], along)
+        step = tracer.plus(tracer.times(R, link.offset), along)
         origins.append(tracer.plus(origins[-1], step))
     return origins
 
 
 def _pose(tracer: Tracer, chain: Chain) -> Outputs:
-    walk = _there(tracer, chain)
+    walk = from_base_to_tool(tracer, chain)
     lever = _levers(tracer, walk)[0]
-    p = tracer.plus(walk.start, [tracer.dot(row, lever) for row in walk.links[0].base])
-    return _transform(walk.end, p), (4, 4)
+    arm = tracer.times(walk.links[0].base, lever)
+    return _transform(walk.end, tracer.plus(walk.start, arm)), (4, 4)
 
 
 def _frames(tracer: Tracer, chain: Chain) -> Outputs:
-    walk = _there(tracer, chain)
-    rotations = [*(tracer.turned(link.base, link.before) for link in walk.links), walk.end]
-    poses = [_transform(R, o) for R, o in zip(rotations, _origins(tracer, walk), strict=True)]
-    return [x for pose in poses for x in pose], (chain.n + 1, 4, 4)
+    walk = from_base_to_tool(tracer, chain)
+    rotations = [tracer.turned(link.base, link.before) for link in walk.links]
+    rotations.append(walk.end)
+    entries = Vector()
+    for R, o in zip(rotations, _origins(tracer, walk), strict=True):
+        entries += _transform(R, o)
+    return entries, (chain.n + 1, 4, 4)
 
 
 def _transform(R: Rows, p: Vector) -> Vector:
-    return [x for row, t in zip(R, p, strict=True) for x in (*row, t)] + [0.0, 0.0, 0.0, 1.0]
-
-
-def _live(steps: Sequence[Operation], outputs: Iterable[Value]) -> tuple[Operation, ...]:
-    """The steps that outputs need, each just before its first use: so that few values wait at any time."""
-    made: dict[str | float, Operation] = {step.target: step for step in steps}
-    waiting = list[str | float]()
-    waiting += [x.name for x in outputs if isinstance(x, Signed)][::-1]
-    ordered = dict[str | float, Operation]()
-    while waiting:
-        step = made.get(waiting[-1])
-        missing = (
-            [x for x in (step.right, step.left) if x in made and x not in ordered] if step else []
-        )
-        waiting += missing
-        if not missing:
-            waiting.pop()
-            if step:
-                ordered.setdefault(step.target, step)
-    return tuple(ordered.values())
-
-
-def _folded(C: Array) -> tuple[float, Array, float]:
-    """C as Rz(first) D Rz(last) with more zeros in D: a dense rotation becomes one about x.
-
-    Quarter turns stay in D, where they are exact, and so does all of C between parallel axes.
-    """
-    x, y = C[0, 2], C[1, 2]
-    first = float(np.arctan2(x, -y)) if x and y else 0.0
-    D = snapped_transforms(elementary("Rz", -first) @ C)
-    level = D[1] if D[0, 2] else D[0]  # the row that only a last turn about z can have filled
-    last = float(np.arctan2(-level[1], level[0])) if (x or y) and level[0] and level[1] else 0.0
-    return first, snapped_transforms(D @ elementary("Rz", -last)), last
-
-
-def _translation(C: Array) -> Vector:
-    return [float(x) for x in C[:3, 3]]
+    entries = Vector()
+    for row, x in zip(R, p, strict=True):
+        entries += [*row, x]
+    return [*entries, 0.0, 0.0, 0.0, 1.0]
