@@ -118,8 +118,9 @@ class Arm:
     ) -> Drawing:
         """The arm as it stands, its base and tool frame under these names; an empty name draws no frame.
 
-        `lengths` are dimension lines: name to the two ends in base coordinates [m]. `more` are other frames that are
-        drawn: name to the frame (4, 4) in base coordinates. `view` and `stands` are those of `Drawing`.
+        `lengths` are dimension lines: name to the two ends in base coordinates [m]. `more` are
+        other frames that are drawn: name to the frame (4, 4) in base coordinates. `view` and
+        `stands` are those of `Drawing`.
         """
         frames = {base: np.eye(4), tool: self.T, **(more or {})}
         triads = tuple(Triad(pose, label) for label, pose in frames.items() if label)

@@ -33,8 +33,8 @@ class Triad:
 class Drawing:
     """An arm at one configuration `q` [rad, m], seen from `view` (azimuth, elevation) in degrees.
 
-    With `arrows`, each joint carries an arrow in its positive sense. The arm stands off its base plate along `stands`,
-    in base axes: on a wall or a ceiling, that is not z.
+    With `arrows`, each joint carries an arrow in its positive sense. The arm stands off its base
+    plate along `stands`, in base axes: on a wall or a ceiling, that is not z.
     """
 
     chain: "Chain"

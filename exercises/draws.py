@@ -24,8 +24,8 @@ def length(rng: np.random.Generator, low: float = 0.4, high: float = 1.2) -> flo
 def angles(rng: np.random.Generator, n: int, parallel: Sequence[Sequence[int]] = ()) -> list[float]:
     """`n` joint angles [rad] with three decimals: whole degrees in (-125, 125), all different in size.
 
-    Neither an angle nor the sum over the joints of a group in `parallel` (indices from 0) comes within ten degrees of
-    a multiple of 90.
+    Neither an angle nor the sum over the joints of a group in `parallel` (indices from 0) comes
+    within ten degrees of a multiple of 90.
     """
 
     def clear(degrees: list[int]) -> bool:
@@ -68,8 +68,9 @@ def posture(
 ) -> dict[str, Any]:
     """Lengths and q of an arm away from its singular postures, within its limits.
 
-    `lengths` are the robot's parameters that are drawn, by default all; each is between 0.7 and 1.4 times its default.
-    Neither a joint angle nor a sum over joints with parallel axes comes near a right angle.
+    `lengths` are the robot's parameters that are drawn, by default all; each is between 0.7 and 1.4
+    times its default. Neither a joint angle nor a sum over joints with parallel axes comes near a
+    right angle.
 
     Raises:
         ExerciseError: there is too little room within the limits.

@@ -1,8 +1,9 @@
 """The contract: everything an exercise file may use. Read this first, then any one exercise beside it.
 
-An exercise draws plain numbers for one student (a `Variant`) and lists the parts asked about them. Each part names
-the variable it is handed in as, the kind of its answer, and how the answer follows from the variant and from the
-earlier parts it needs. Sheets, worked solutions, tolerances, marks and feedback are derived from that.
+An exercise draws plain numbers for one student (a `Variant`) and lists the parts asked about them.
+Each part names the variable it is handed in as, the kind of its answer, and how the answer follows
+from the variant and from the earlier parts it needs. Sheets, worked solutions, tolerances, marks
+and feedback are derived from that.
 """
 
 import math
@@ -71,9 +72,9 @@ class ExerciseError(KinegradeError):
 class Outcome:
     """What a part's own `check` found: which entries are right, how the answer was read, and a finding.
 
-    `right` is None where the usual comparison with the reference shall decide. `share` of the points is earned where
-    the right entries alone do not say it. Of a function, `right` has a flag for every group of calls (`Results`), or a
-    list of flags, one for each of its calls.
+    `right` is None where the usual comparison with the reference shall decide. `share` of the
+    points is earned where the right entries alone do not say it. Of a function, `right` has a flag
+    for every group of calls (`Results`), or a list of flags, one for each of its calls.
     """
 
     right: ArrayLike | Sequence[bool | Sequence[bool]] | None = None
@@ -86,8 +87,9 @@ class Outcome:
 class Step:
     """One step of a worked solution: text with the general formula, a closed form, then the student's numbers.
 
-    `text` is Markdown with LaTeX between dollar signs; `symbol` is the LaTeX left-hand side of `formula` (sympy, or
-    formulas) and of `numbers` (an array, printed to `decimals`, by default those of its part).
+    `text` is Markdown with LaTeX between dollar signs; `symbol` is the LaTeX left-hand side of
+    `formula` (sympy, or formulas) and of `numbers` (an array, printed to `decimals`, by default
+    those of its part).
     """
 
     text: str
@@ -109,10 +111,11 @@ class Mistake:
 class Part:
     """One question. `solve(v, given)` returns the reference answer from the variant and the parts in `needs`.
 
-    An unasked part (`asked=False`) is an intermediate that is rounded for the tolerance but never printed. `follow` is
-    the share of the points for an answer that is right from the student's own, wrong, earlier answers. `credit` says
-    whether marks go to entries, to whole columns, to blocks of three rows (linear ones, angular ones), or to the whole
-    answer only. `tolerance` overrides the derived one.
+    An unasked part (`asked=False`) is an intermediate that is rounded for the tolerance but never
+    printed. `follow` is the share of the points for an answer that is right from the student's own,
+    wrong, earlier answers. `credit` says whether marks go to entries, to whole columns, to blocks
+    of three rows (linear ones, angular ones), or to the whole answer only. `tolerance` overrides
+    the derived one.
     """
 
     variable: str
@@ -135,14 +138,15 @@ class Part:
 class Exercise:
     """One exercise file. `draw(rng)` returns plain numbers; they pass through JSON before anything is computed.
 
-    `units` give the unit of every drawn number that is printed (nested like the number itself); what is not listed
-    there is not printed. `hidden` names drawn numbers that stay with the instructor, such as the inputs of a function;
-    `structure` names drawn choices of form, which are neither printed nor secret and can be pinned for a whole class.
-    `symbols` are the LaTeX of printed names that are more than letters and an index.
-    `scale(v)` is a typical length [m] that linear tolerances are measured against. `named` are the names of which every
-    one is drawn for some student. `robot` names a robot of the catalogue whose map stands in the report.
-    `rows` is the order of rows in every Jacobian and twist of the exercise: what the sheet says of it and what
-    findings say follow it; `solve` and the units of an answer stand in that order themselves.
+    `units` give the unit of every drawn number that is printed (nested like the number itself);
+    what is not listed there is not printed. `hidden` names drawn numbers that stay with the
+    instructor, such as the inputs of a function; `structure` names drawn choices of form, which are
+    neither printed nor secret and can be pinned for a whole class. `symbols` are the LaTeX of
+    printed names that are more than letters and an index. `scale(v)` is a typical length [m] that
+    linear tolerances are measured against. `named` are the names of which every one is drawn for
+    some student. `robot` names a robot of the catalogue whose map stands in the report. `rows` is
+    the order of rows in every Jacobian and twist of the exercise: what the sheet says of it and
+    what findings say follow it; `solve` and the units of an answer stand in that order themselves.
     """
 
     slug: str
@@ -197,7 +201,8 @@ def _check_part(slug: str, part: Part, known: Mapping[str, Part]) -> None:
     name = part.variable
     if not name.isidentifier() or iskeyword(name) or not name.startswith(f"{slug}_"):
         raise ExerciseError(
-            f"exercise {slug}: a variable takes a Python name that starts with {slug}_, got {name!r}"
+            f"exercise {slug}: a variable takes a Python name that starts with {slug}_, got "
+            f"{name!r}"
         )
     if name in known:
         raise ExerciseError(
@@ -214,7 +219,8 @@ def _check_part(slug: str, part: Part, known: Mapping[str, Part]) -> None:
             )
     if part.asked and not (part.points > 0 and part.prompt):
         raise ExerciseError(
-            f"exercise {slug}: {name} takes a prompt, in an exercise file the docstring of its function, and positive "
+            f"exercise {slug}: {name} takes a prompt, in an exercise file the docstring of its "
+            "function, and positive "
             "points"
         )
     if isinstance(part.answer, Configurations) and part.check is None:

@@ -11,7 +11,10 @@ from .exercise import Outcome
 
 Array = NDArray[np.float64]
 TURN = 2 * np.pi
-MULTIPLE = "It is the determinant times a constant: it is zero in the right postures, but the determinant itself is asked."
+MULTIPLE = (
+    "It is the determinant times a constant: it is zero in the right postures, but the "
+    "determinant itself is asked."
+)
 LARGEST_ANGLE = 1e4  # beyond it, whole turns can no longer be taken off without rounding
 
 

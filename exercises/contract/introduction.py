@@ -35,7 +35,10 @@ def joint_types(kinds: str) -> str:
 def drawn_arm(arm: Arm) -> Drawing:
     """The arm at the student's q with its base and tool frames."""
     joints = ", ".join(WORDS[kind] for kind in arm.kinds)
-    alt = f"{arm.robot.title}, its joints {joints} from the base on, drawn at your q with base and tool frame."
+    alt = (
+        f"{arm.robot.title}, its joints {joints} from the base on, drawn at your q with base and "
+        "tool frame."
+    )
     return arm.drawing("The arm at your q, with its base frame and its tool frame.", alt)
 
 
@@ -43,11 +46,13 @@ def off_the_drawing(arm: Arm) -> str:
     """The introduction where the table itself is asked: what fixes it is said and drawn instead."""
     convention = arm.robot.convention
     figures = (
-        "The first figure shows it with all joint angles at zero, with frame 0, the tool frame, the "
+        "The first figure shows it with all joint angles at zero, with frame 0, the tool frame, "
+        "the "
         r"lengths and the positive sense of each joint; the second shows it at your $\mathbf q$."
     )
     convention_said = (
-        f"Use the **{convention}** Denavit–Hartenberg convention, ${AXIS[convention]}$ along the axis of joint $i$ in "
+        f"Use the **{convention}** Denavit–Hartenberg convention, ${AXIS[convention]}$ along the "
+        "axis of joint $i$ in "
         "its positive sense. The last frame is the tool frame that is drawn."
     )
     return f"{arm.robot.title}. {figures}\n\n{convention_said}"
@@ -88,8 +93,10 @@ def _lengths(arm: Arm) -> dict[str, tuple[Any, Any]]:
 
 def _table(robot: Robot, fixed: Mapping[str, float]) -> str:
     return (
-        f"Its table in the **{robot.convention}** Denavit–Hartenberg convention (metres, radians), with "
-        f"${AXIS[robot.convention]}$ along the axis of joint $i$:\n\n{printed_table(table_rows(robot, fixed))}"
+        f"Its table in the **{robot.convention}** Denavit–Hartenberg convention (metres, "
+        "radians), with "
+        f"${AXIS[robot.convention]}$ along the axis of joint "
+        f"$i$:\n\n{printed_table(table_rows(robot, fixed))}"
     )
 
 
@@ -100,7 +107,8 @@ def _transforms(robot: Robot, fixed: Mapping[str, float]) -> str:
     ]
     listed = "\n".join(lines)
     said = (
-        r"Frame $i$ sits on the axis of joint $i$, with $\mathbf z_i$ along it. $T_x, T_y, T_z$ move along, and "
+        r"Frame $i$ sits on the axis of joint $i$, with $\mathbf z_i$ along it. $T_x, T_y, T_z$ "
+        "move along, and "
         r"$R_x, R_y, R_z$ turn about, an axis of the current frame:"
     )
     return f"{said}\n\n{listed}"

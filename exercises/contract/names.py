@@ -62,8 +62,8 @@ class Names:
     ) -> Bound:
         """The function with its parameters settled: drawn numbers, `v` for all of them, `arm`, or one of `answers`.
 
-        `renamed` are parameters that stand for another name. A keyword-only parameter with a default is no name but a
-        constant of the function.
+        `renamed` are parameters that stand for another name. A keyword-only parameter with a
+        default is no name but a constant of the function.
 
         Raises:
             ExerciseError: a parameter stands for nothing; the sentence has the nearest name.
@@ -95,7 +95,8 @@ class Names:
             return self.arm(v)
         if parameter.default is NOTHING:
             raise ExerciseError(
-                f"exercise {self.slug}: {name} is not among the numbers of this variant; a number that only some "
+                f"exercise {self.slug}: {name} is not among the numbers of this variant; a number "
+                "that only some "
                 f"variants have takes a default: {name}=0.0"
             )
         return parameter.default

@@ -18,9 +18,9 @@ Wrong = tuple[str, Function]
 class Question:
     """A part before it is on a sheet: its function, and the functions that belong to it.
 
-    `docstring` stands for that of a function that is made for a robot (questions/).
-    `options` are `follow`, `credit`, `tolerance` and `asked` of `Part`; `renamed` are parameters that stand for another
-    name on the sheet.
+    `docstring` stands for that of a function that is made for a robot (questions/). `options` are
+    `follow`, `credit`, `tolerance` and `asked` of `Part`; `renamed` are parameters that stand for
+    another name on the sheet.
     """
 
     solve: Function
@@ -119,7 +119,8 @@ class _Placed:
         for name in self.earlier:
             if bound.takes(name) and name not in self.needs:
                 raise ExerciseError(
-                    f"exercise {self.names.slug}: {what} of {self.own} takes {name!r}, which {self.own} itself does "
+                    f"exercise {self.names.slug}: {what} of {self.own} takes {name!r}, which "
+                    f"{self.own} itself does "
                     f"not take: what a part needs stands among its own parameters"
                 )
         return bound
@@ -166,7 +167,8 @@ class _Placed:
         for place in (place for paragraph in solution for place in paragraph.places):
             if place not in values:
                 raise ExerciseError(
-                    f"exercise {self.names.slug}: the solution of {self.own} shows <{place}>, which is no value here; "
+                    f"exercise {self.names.slug}: the solution of {self.own} shows <{place}>, "
+                    "which is no value here; "
                     f"there are: {', '.join(sorted(values))}"
                 )
 

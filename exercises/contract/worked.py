@@ -8,7 +8,8 @@ r"""A part's docstring: question, hints and worked solution, with places for wha
     $$\boldsymbol\omega = <omega>$$                           a last line of this form shows a value
     The sense is <sense>.                                     a value that is text may stand anywhere
 
-A value is that of the part itself, of an earlier one, of a drawn number, or of one of the part's `shows`.
+A value is that of the part itself, of an earlier one, of a drawn number, or of one of the part's
+`shows`.
 """
 
 import inspect

@@ -12,8 +12,9 @@ Calls = Mapping[str, Sequence[tuple[Any, ...]]]
 def arrived(argument: Any) -> Any:
     """An argument as a function gets it: its own copy, so that it may be changed.
 
-    A list of numbers, or of equal rows of them, becomes a float array, also inside dicts and lists; a list that holds
-    text or dicts, or rows of different lengths, stays a list. Numbers and text stay as they are.
+    A list of numbers, or of equal rows of them, becomes a float array, also inside dicts and lists;
+    a list that holds text or dicts, or rows of different lengths, stays a list. Numbers and text
+    stay as they are.
     """
     if isinstance(argument, Mapping):
         fields = cast("Mapping[str, Any]", argument)

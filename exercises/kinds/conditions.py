@@ -26,9 +26,10 @@ from .kind import Kind, ValueKindError, Variant, listed_rows
 class Conditions(Kind):
     """Equations in `names`, such as sin(q2) = 0, all solutions of which are asked.
 
-    `domain(v)` gives the range of every joint within which solutions count. Its value is a tuple of `Condition`s: an
-    `Expression` that is zero where it holds, or `AllOf` several that hold at once. `solve` may return their texts,
-    such as "sin(q2)" or "sin(q2) = 0 and sin(q3) = 0", and tuples of texts or Expressions that hold at once.
+    `domain(v)` gives the range of every joint within which solutions count. Its value is a tuple of
+    `Condition`s: an `Expression` that is zero where it holds, or `AllOf` several that hold at once.
+    `solve` may return their texts, such as "sin(q2)" or "sin(q2) = 0 and sin(q3) = 0", and tuples
+    of texts or Expressions that hold at once.
     """
 
     names: tuple[str, ...]
@@ -92,6 +93,7 @@ def _equation(entry: Any, names: tuple[str, ...]) -> Expression:
     ]
     if len(found) != 1:
         raise ValueKindError(
-            f"takes one equation in each place of a tuple that holds at once, got {str(entry)[:60]!r}"
+            "takes one equation in each place of a tuple that holds at once, got "
+            f"{str(entry)[:60]!r}"
         )
     return found[0]

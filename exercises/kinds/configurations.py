@@ -14,9 +14,9 @@ from .kind import Kind, ValueKindError, Variant, array_code, finite
 class Configurations(Kind):
     """A list of up to `most` configurations of `joints` numbers each, judged by the part's `check`.
 
-    Its value is an array (m, joints); with one joint a plain list is read too. How many rows there are is not said on
-    the sheet. `in_order` are rows that follow one another, such as the iterates of a method; without, a sheet says
-    that a wrong one costs a right one.
+    Its value is an array (m, joints); with one joint a plain list is read too. How many rows there
+    are is not said on the sheet. `in_order` are rows that follow one another, such as the iterates
+    of a method; without, a sheet says that a wrong one costs a right one.
     """
 
     joints: int

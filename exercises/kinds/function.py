@@ -22,14 +22,16 @@ from .kind import Kind, ValueKindError, Variant
 class Function(Kind):
     """A Python function, called on inputs that the student has not seen.
 
-    `signature` is its head without the name of the variable, such as "(q)". `inputs(v)` are the arguments by group: a
-    tuple for every call, of numbers, text, and lists and dicts of them. Numbers in equal rows arrive as float arrays,
-    inside dicts and lists too; other lists stay lists. The reference, which is a function too, gets the same.
+    `signature` is its head without the name of the variable, such as "(q)". `inputs(v)` are the
+    arguments by group: a tuple for every call, of numbers, text, and lists and dicts of them.
+    Numbers in equal rows arrive as float arrays, inside dicts and lists too; other lists stay
+    lists. The reference, which is a function too, gets the same.
 
-    An answer agrees within `tolerance` of the reference; a part's own `check` gets `Results` and judges instead. A
-    group of calls is one item of the feedback and earns its share when all of it is right. Where all its results are
-    alike, such as zeros, it does so only beside a right result of another kind: a constant function earns nothing.
-    `published(v)` are the calls whose results a student without Python hands in.
+    An answer agrees within `tolerance` of the reference; a part's own `check` gets `Results` and
+    judges instead. A group of calls is one item of the feedback and earns its share when all of it
+    is right. Where all its results are alike, such as zeros, it does so only beside a right result
+    of another kind: a constant function earns nothing. `published(v)` are the calls whose results a
+    student without Python hands in.
     """
 
     signature: str
@@ -80,7 +82,8 @@ class Function(Kind):
     def code(self, variable: str, value: Callable[..., Any]) -> str:
         """Its source under the variable's name; it takes numpy as np and nothing else.
 
-        What has no source of its own, such as a lambda, is a comment: `unprintable` says what would be right.
+        What has no source of its own, such as a lambda, is a comment: `unprintable` says what would
+        be right.
         """
         definition = _definition(value)
         if definition is None:
@@ -104,8 +107,10 @@ class Function(Kind):
         *first, last = missing
         said = f"{', '.join(first)} and {last}" if first else last
         return (
-            f"the reference function {definition[1]} uses {said}, which its worked solution does not have: printed on "
-            "a sheet it knows numpy as np and nothing else, so define helpers inside it and hand over numbers as "
+            f"the reference function {definition[1]} uses {said}, which its worked solution does "
+            "not have: printed on "
+            "a sheet it knows numpy as np and nothing else, so define helpers inside it and hand "
+            "over numbers as "
             "arguments"
         )
 

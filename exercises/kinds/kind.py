@@ -19,7 +19,8 @@ class ValueKindError(KinegradeError):
 class Kind:
     """A kind of answer: data that an exercise declares, and what a sheet, a record and a proof ask of it.
 
-    A new kind is a file here and one in grader/kinds. What is the same for most kinds stands in this class.
+    A new kind is a file here and one in grader/kinds. What is the same for most kinds stands in
+    this class.
     """
 
     @property

@@ -10,7 +10,8 @@ from .kind import Kind, ValueKindError, Variant
 class Manual(Kind):
     """A sketch, derivation or argument, marked by hand: points and what earns them, line by line.
 
-    With `on_paper`, nothing is expected in the file. Its value is text: the marker's key as reference.
+    With `on_paper`, nothing is expected in the file. Its value is text: the marker's key as
+    reference.
     """
 
     rubric: tuple[tuple[float, str], ...]

@@ -16,11 +16,13 @@ NO_RESULT = "no result"
 class Results:
     """The value that `Part.check` gets for an answer of kind `Function`: what came out, call by call.
 
-    `values` has a finite real array for every call, in the order of `Function.inputs`, group after group; where a call
-    gave none, it has the reason as a sentence, such as "ZeroDivisionError: division by zero". With `published` they are
-    results for the calls of `Function.published`, handed in without a function; then the order is theirs.
+    `values` has a finite real array for every call, in the order of `Function.inputs`, group after
+    group; where a call gave none, it has the reason as a sentence, such as "ZeroDivisionError:
+    division by zero". With `published` they are results for the calls of `Function.published`,
+    handed in without a function; then the order is theirs.
 
-    A check judges group by group: `Outcome(right=[True, False])` for two groups, or call by call with a list for each.
+    A check judges group by group: `Outcome(right=[True, False])` for two groups, or call by call
+    with a list for each.
     """
 
     values: tuple[Result, ...]

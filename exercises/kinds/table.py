@@ -18,8 +18,8 @@ MATLAB_EXAMPLE = "{'q1 + pi', 0.25, 'd1', 'pi/3'; ...}"
 class TableOf(Kind):
     """A Denavit-Hartenberg table with one row of theta, d, a, alpha per joint of `kinds`, such as "RRP".
 
-    Cells are expressions in `names` and q1 ... qn, or numbers; names that a variant lacks are unknown on its sheet.
-    Its value is a `Table`.
+    Cells are expressions in `names` and q1 ... qn, or numbers; names that a variant lacks are
+    unknown on its sheet. Its value is a `Table`.
     """
 
     names: tuple[str, ...]
