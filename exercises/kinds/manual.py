@@ -20,7 +20,9 @@ class Manual(Kind):
     @property
     def form(self) -> str:
         """Where it stands."""
-        return "on paper" if self.on_paper else "your text in quotes; it is marked by hand"
+        if self.on_paper:
+            return "on paper"
+        return "your text in quotes; it is marked by hand"
 
     @property
     def self_check(self) -> tuple[str, Any]:
@@ -30,7 +32,9 @@ class Manual(Kind):
     @property
     def asked_beside(self) -> str:
         """That a person marks it."""
-        return "On paper, marked by hand." if self.on_paper else "Marked by hand."
+        if self.on_paper:
+            return "On paper, marked by hand."
+        return "Marked by hand."
 
     def declared(self, value: Any, v: Variant) -> str:
         """The marker's key."""

@@ -16,7 +16,7 @@ MATLAB_EXAMPLE = "{'q1 + pi', 0.25, 'd1', 'pi/3'; ...}"
 
 @dataclass(frozen=True)
 class TableOf(Kind):
-    """A Denavit-Hartenberg table with one row of theta, d, a, alpha per joint of `kinds`, such as "RRP".
+    """A Denavit-Hartenberg table: a row of theta, d, a, alpha per joint of `kinds`, such as "RRP".
 
     Cells are expressions in `names` and q1 ... qn, or numbers; names that a variant lacks are
     unknown on its sheet. Its value is a `Table`.
