@@ -103,14 +103,7 @@ def posture(
     groups = [[*map(turning.index, group)] for group in parallel_groups(robot)]
 
     def drawn() -> list[float]:
-        turns = iter(angles(rng, len(turning), groups))
-        q: list[float] = []
-        for kind, limits in zip(robot.kinds, robot.limits, strict=True):
-            if kind == "R":
-                q.append(next(turns))
-            else:
-                q.append(length(rng, *limits))
-        return q
+        return _configuration(robot, rng, groups)
 
     def is_regular(q: list[float]) -> bool:
         if robot.outside(q):
@@ -120,6 +113,20 @@ def posture(
         return bool(values[-1] >= regular * values[0])
 
     return {**sizes, "q": until(drawn, is_regular)}
+
+
+def _configuration(
+    robot: Robot, rng: np.random.Generator, groups: Sequence[Sequence[int]]
+) -> list[float]:
+    """Generic angles, and strokes within their limits; `groups` are those of `angles`."""
+    turns = iter(angles(rng, robot.kinds.count("R"), groups))
+    q: list[float] = []
+    for kind, limits in zip(robot.kinds, robot.limits, strict=True):
+        if kind == "R":
+            q.append(next(turns))
+        else:
+            q.append(length(rng, *limits))
+    return q
 
 
 def parallel_groups(robot: Robot) -> list[tuple[int, ...]]:

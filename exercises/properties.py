@@ -68,7 +68,7 @@ def is_pseudoinverse(J: ArrayLike, X: ArrayLike, tolerance: float) -> bool:
     """
     A, B = np.asarray(J, dtype=float), np.asarray(X, dtype=float)
     AB, BA = A @ B, B @ A
-    size = max(1.0, np.abs(B).max())  # of the second condition, in which X stands twice
+    size = max(1.0, np.abs(B).max())  # X J X - X grows with X
     misses = (A @ BA - A, (BA @ B - B) / size, AB - AB.T, BA - BA.T)
     return all(float(np.abs(miss).max()) <= tolerance for miss in misses)
 

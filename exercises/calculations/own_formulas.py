@@ -25,7 +25,7 @@ from ...solutions.expression_array import (
 from ...solutions.robot import Robot
 from ...solutions.table import COLUMNS, Table
 
-ENTRIES = ("x11", "x12", "x13", "x21", "x22", "x23", "x31", "x32", "x33")
+ENTRIES: tuple[str, ...] = ("x11", "x12", "x13", "x21", "x22", "x23", "x31", "x32", "x33")
 DETERMINANT = parse(
     "x11*(x22*x33 - x23*x32) - x12*(x21*x33 - x23*x31) + x13*(x21*x32 - x22*x31)", ENTRIES
 )

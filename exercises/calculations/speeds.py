@@ -43,8 +43,8 @@ class Speed:
         if self.rows == WHOLE:
             return (
                 f"The tool moves along base ${letter}$ with the speed ${self.symbol}$ and its "
-                "orientation is **held**: "
-                f"the other five components of the twist, ${listed}$, are zero."
+                "orientation is **held**: the other five components of the twist, "
+                f"${listed}$, are zero."
             )
 
         if self.rows == LINEAR:
@@ -100,9 +100,8 @@ class Speed:
         row = rf"\mathbf J_{LETTERS[self.axis]}"
         return (
             rf"Let ${row}$ be the {ORDINALS[self.axis]} row of $\mathbf J$; only "
-            rf"${row} \dot{{\mathbf q}} = {self.symbol}$ is prescribed. There are more joints than "
-            r"rows; the rates of "
-            rf"least norm are $\dot{{\mathbf q}} = {row}^{{+}} {self.symbol}$ with "
-            rf"${row}^{{+}} = {row}^{{T}} / ({row} {row}^{{T}})$ (S3 5.2.1): "
-            rf"${row} {row}^{{T}}$ is a number."
+            rf"${row} \dot{{\mathbf q}} = {self.symbol}$ is prescribed. There are more joints "
+            r"than rows; the rates of least norm are "
+            rf"$\dot{{\mathbf q}} = {row}^{{+}} {self.symbol}$ with "
+            rf"${row}^{{+}} = {row}^{{T}} / ({row} {row}^{{T}})$ (S3 5.2.1): ${row} {row}^{{T}}$ is a number."
         )

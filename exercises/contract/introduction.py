@@ -36,11 +36,7 @@ def joint_types(kinds: str) -> str:
 
 def drawn_arm(arm: Arm) -> Drawing:
     """The arm at the student's q with its base and tool frames."""
-    joints = ", ".join(WORDS[kind] for kind in arm.kinds)
-    alt = (
-        f"{arm.robot.title}, its joints {joints} from the base on, drawn at your q with base and "
-        "tool frame."
-    )
+    alt = f"{_pictured(arm)}, drawn at your q with base and tool frame."
     return arm.drawing("The arm at your q, with its base frame and its tool frame.", alt)
 
 
@@ -49,21 +45,19 @@ def off_the_drawing(arm: Arm) -> str:
     convention = arm.robot.convention
     figures = (
         "The first figure shows it with all joint angles at zero, with frame 0, the tool frame, "
-        "the "
-        r"lengths and the positive sense of each joint; the second shows it at your $\mathbf q$."
+        "the lengths and the positive sense of each joint; "
+        r"the second shows it at your $\mathbf q$."
     )
     convention_said = (
         f"Use the **{convention}** Denavit–Hartenberg convention, ${AXIS[convention]}$ along the "
-        "axis of joint $i$ in "
-        "its positive sense. The last frame is the tool frame that is drawn."
+        "axis of joint $i$ in its positive sense. The last frame is the tool frame that is drawn."
     )
     return f"{arm.robot.title}. {figures}\n\n{convention_said}"
 
 
 def home_and_now(arm: Arm) -> tuple[Drawing, Drawing]:
     """The arm with its angles at zero and its lengths, and at the student's q."""
-    joints = ", ".join(WORDS[kind] for kind in arm.kinds)
-    alt = f"{arm.robot.title}, its joints {joints} from the base on. "
+    alt = f"{_pictured(arm)}. "
 
     slides = np.array([kind == "P" for kind in arm.kinds])
     home = arm.at(np.where(slides, arm.q, 0.0))
@@ -73,6 +67,12 @@ def home_and_now(arm: Arm) -> tuple[Drawing, Drawing]:
     at_q = "The same arm at your q."
     second = arm.drawing(at_q, alt + at_q, base="", tool="")
     return first, second
+
+
+def _pictured(arm: Arm) -> str:
+    """The arm in words, for who cannot see its figure."""
+    joints = ", ".join(WORDS[kind] for kind in arm.kinds)
+    return f"{arm.robot.title}, its joints {joints} from the base on"
 
 
 def _lengths(arm: Arm) -> dict[str, tuple[Any, Any]]:
@@ -101,12 +101,11 @@ def _lengths(arm: Arm) -> dict[str, tuple[Any, Any]]:
 
 
 def _table(robot: Robot, fixed: Mapping[str, float]) -> str:
-    return (
-        f"Its table in the **{robot.convention}** Denavit–Hartenberg convention (metres, "
-        "radians), with "
-        f"${AXIS[robot.convention]}$ along the axis of joint "
-        f"$i$:\n\n{printed_table(table_rows(robot, fixed))}"
+    said = (
+        f"Its table in the **{robot.convention}** Denavit–Hartenberg convention (metres, radians), "
+        f"with ${AXIS[robot.convention]}$ along the axis of joint $i$:"
     )
+    return f"{said}\n\n{printed_table(table_rows(robot, fixed))}"
 
 
 def _transforms(robot: Robot, fixed: Mapping[str, float]) -> str:
@@ -117,8 +116,7 @@ def _transforms(robot: Robot, fixed: Mapping[str, float]) -> str:
     listed = "\n".join(lines)
     said = (
         r"Frame $i$ sits on the axis of joint $i$, with $\mathbf z_i$ along it. $T_x, T_y, T_z$ "
-        "move along, and "
-        r"$R_x, R_y, R_z$ turn about, an axis of the current frame:"
+        r"move along, and $R_x, R_y, R_z$ turn about, an axis of the current frame:"
     )
     return f"{said}\n\n{listed}"
 

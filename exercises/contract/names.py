@@ -108,8 +108,7 @@ class Names:
         if parameter.default is NOTHING:
             raise ExerciseError(
                 f"exercise {self.slug}: {name} is not among the numbers of this variant; a number "
-                "that only some "
-                f"variants have takes a default: {name}=0.0"
+                f"that only some variants have takes a default: {name}=0.0"
             )
         return parameter.default
 

@@ -121,10 +121,8 @@ class Function(Kind):
             said = f"{', '.join(first)} and {last}"
         return (
             f"the reference function {definition[1]} uses {said}, which its worked solution does "
-            "not have: printed on "
-            "a sheet it knows numpy as np and nothing else, so define helpers inside it and hand "
-            "over numbers as "
-            "arguments"
+            "not have: printed on a sheet it knows numpy as np and nothing else, so define helpers "
+            "inside it and hand over numbers as arguments"
         )
 
 

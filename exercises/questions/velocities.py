@@ -306,8 +306,8 @@ def _by_velocity(decimals: int, *, least: bool) -> Callable[..., Outcome | None]
         if not least:
             return Outcome(right=True)
 
-        longer = np.abs(value - unique_or_least_rates(J, xi)).max()
-        if longer <= SLACK * max(1.0, float(np.abs(value).max())):
+        apart = np.abs(value - unique_or_least_rates(J, xi)).max()
+        if apart <= SLACK * max(1.0, float(np.abs(value).max())):
             return None  # how near the rates are is left to the tolerance
         return Outcome(finding=NORM, share=UNASKED_NORM)
 
