@@ -95,6 +95,8 @@ def posture(
     names = robot.parameters if lengths is None else lengths
     sizes = {name: _near(rng, robot.parameters[name]) for name in names}
     chain = robot.chain(sizes)
+
+    # linear rows in sizes of the arm, so that they compare with angular ones at any scale
     arm_size = sum(map(abs, robot.values(sizes).values())) or 1.0
     units = np.array([3 * [arm_size] + 3 * [1.0]]).T
 
@@ -133,7 +135,8 @@ def parallel_groups(robot: Robot) -> list[tuple[int, ...]]:
     """Runs of two or more revolute joints (from 0) whose axes are parallel whatever the posture."""
     postures = np.random.default_rng(0).uniform(0.2, 1.3, (3, robot.n))
     axes = np.swapaxes(robot.frames(None, postures)[:, :-1, :3, 2], 0, 1)  # (n, 3 postures, 3)
-    runs: list[list[int]] = []  # as long as they come
+
+    runs: list[list[int]] = []  # each as long as it gets
     for joint, kind in enumerate(robot.kinds):
         if kind != "R":
             continue

@@ -153,7 +153,8 @@ def exercise(
     unprinted = (*hidden, *structure)
     known_units = {**_units_of_robot(robot, sizes, unprinted), **own_units}
     drawn = frozenset((*known_units, *unprinted))
-    names = Names(slug, drawn, _arm(robot, Names(slug, drawn, None), sizes))
+    without_arm = Names(slug, drawn, None)  # for a function that returns the robot
+    names = Names(slug, drawn, _arm(robot, without_arm, sizes))
 
     questions = _questions(parts, names, draw, rows)
     _check_names(slug, questions, known_units)

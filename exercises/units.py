@@ -105,5 +105,6 @@ def converted(value: float, unit: str) -> float:
     factor = UNITS[unit].factor
     if factor == 1:
         return value
+    # exactly, since 0.35 / 0.001 is 349.99999999999994
     exact = Fraction(value) / Fraction(repr(factor))
     return float(exact)

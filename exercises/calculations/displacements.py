@@ -48,7 +48,7 @@ def frame_near(
     goal = np.eye(4)
     goal[:3, 3] = T[:3, 3] + move
     goal[:3, :3] = vector_rotation(turn) @ T[:3, :3]
-    return (np.round(goal, 7) + 0.0).tolist()
+    return (np.round(goal, 7) + 0.0).tolist()  # no -0.0
 
 
 def step(arm: Arm, du: Array, frame: Frame = "base") -> Array:
@@ -90,6 +90,7 @@ def sine(T: Array, goal: Array) -> Array:
     That is half the differences of opposite entries of R(dw).
     """
     du = displacement(T, goal)
+    # numpy's sinc(x) is sin(pi x) / (pi x)
     return np.where(ANGULAR, np.sinc(sizes(du)[1] / np.pi), 1) * du
 
 

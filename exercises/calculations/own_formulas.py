@@ -106,6 +106,7 @@ def _any_table(kinds: str) -> tuple[tuple[str, ...], ExpressionArray]:
 
     q_i stands in theta or d.
     """
+    # made once: the Jacobian of any such table is this one with its cells put in
     rows: list[list[str]] = []
     for i, kind in enumerate(kinds, 1):
         cells = {column: f"{column}{i}" for column in COLUMNS}

@@ -158,6 +158,7 @@ def _readings(twist: Array, rows: Prescribed) -> Iterator[Reading]:
     if axis is not None:
         likely.add((axis,))
 
+    # the asked one goes before others with as many rows
     for read in sorted(likely, key=lambda other: (-len(other), other != rows)):
         yield Reading(read, "base")
         yield Reading(read, "tool")

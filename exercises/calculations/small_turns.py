@@ -24,7 +24,7 @@ def rotation_vector(R: Array) -> Array:
     """Axis times angle of a rotation of less than a quarter turn, also where R is rounded."""
     w = 0.5 * opposite(R)
     sine = float(np.linalg.norm(w))
-    return w * (np.arcsin(min(sine, 1.0)) / sine)
+    return w * (np.arcsin(min(sine, 1.0)) / sine)  # rounding may lead beyond 1
 
 
 def between(R1: Array, R2: Array) -> Array:

@@ -103,5 +103,6 @@ class Speed:
             rf"${row} \dot{{\mathbf q}} = {self.symbol}$ is prescribed. There are more joints "
             r"than rows; the rates of least norm are "
             rf"$\dot{{\mathbf q}} = {row}^{{+}} {self.symbol}$ with "
-            rf"${row}^{{+}} = {row}^{{T}} / ({row} {row}^{{T}})$ (S3 5.2.1): ${row} {row}^{{T}}$ is a number."
+            rf"${row}^{{+}} = {row}^{{T}} / ({row} {row}^{{T}})$ (S3 5.2.1): "
+            rf"${row} {row}^{{T}}$ is a number."
         )

@@ -75,13 +75,14 @@ class Names:
         known = {*self.drawn, *answers, "v"}
         if self.arm:
             known.add("arm")
+
         found: list[Parameter] = []
         for parameter in _signature(function, f"exercise {self.slug}: {what}"):
             source = (renamed or {}).get(parameter.name, parameter.name)
             if source in known:
                 found.append(Parameter(parameter.name, source, parameter.default))
                 continue
-            is_constant = parameter.kind is parameter.KEYWORD_ONLY
+            is_constant = parameter.kind is parameter.KEYWORD_ONLY  # behind the * of a signature
             if not is_constant or parameter.default is NOTHING:
                 raise ExerciseError(
                     f"exercise {self.slug}: {what} takes {source!r}, {self._unknown(source, known)}"

@@ -36,7 +36,7 @@ def with_numbers(text: str, fixed: Mapping[str, float]) -> str:
         if name[0] not in fixed:
             return name[0]
         value = fixed[name[0]]
-        is_behind_sign = name.start() > 0
+        is_behind_sign = name.start() > 0  # as in -a4, which is no --0.3 but -(-0.3)
         return f"({value:g})" if value < 0 and is_behind_sign else f"{value:g}"
 
     return re.sub(r"[A-Za-z]\w*", number, text)

@@ -101,6 +101,7 @@ def steps(
         if not shown:
             yield Step(text)
             continue
+
         decimals: int | None = None
         if shown in given:
             decimals = digits(given[shown])
@@ -136,6 +137,7 @@ def _displayed(text: str, symbol: str, value: Any, decimals: int | None) -> Iter
         for condition in cast("tuple[Condition, ...]", value):
             yield Step("", symbol, condition_sympy(condition))
         return
+
     formula = formula_of(value)
     if formula is not None:
         yield Step(text, symbol, formula)
@@ -147,6 +149,7 @@ def formula_of(value: Any) -> Any:
     """Sympy of formulas, of a table or of sympy itself; None for numbers."""
     if isinstance(value, Table):
         sympy: Any = import_module("sympy")
+        # row by row, as sympy takes a matrix of this shape
         cells = [cell.sympy() for cell in chain.from_iterable(value.rows)]
         return sympy.Matrix(len(value.rows), len(COLUMNS), cells)
     if isinstance(value, Expression | ExpressionArray):
