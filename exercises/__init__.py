@@ -2,5 +2,6 @@
 
 if __package__ != "kinegrade.exercises":
     raise ImportError(
-        "Import kinegrade.exercises, not exercises: the folder is one package of the namespace kinegrade."
+        "Import kinegrade.exercises, not exercises: the folder is one package of the namespace "
+        "kinegrade."
     )

@@ -27,7 +27,10 @@ Ends = tuple[ArrayLike, ArrayLike]
 
 @dataclass(frozen=True, eq=False)
 class Arm:
-    """A robot with lengths [m] at one configuration q (n,) [rad, m]; lengths left out have their defaults."""
+    """A robot with lengths [m] at one configuration q (n,) [rad, m].
+
+    Lengths left out have their defaults.
+    """
 
     robot: Robot
     lengths: Mapping[str, float]
@@ -44,7 +47,7 @@ class Arm:
 
     @cached_property
     def frames(self) -> Array:
-        """Frames (n + 1, 4, 4) in base coordinates as the source prints them; the last is the tool."""
+        """Frames (n + 1, 4, 4) in base coordinates as the source prints them, the tool last."""
         return self.robot.frames(self.lengths, self.q)
 
     @property
@@ -90,7 +93,8 @@ class Arm:
     @property
     def factors(self) -> Array:
         """Values of the factors of det J, in the robot's order."""
-        return np.array([*factor_values(self.robot, self.lengths, self.q).values()])
+        values = factor_values(self.robot, self.lengths, self.q)
+        return np.array([*values.values()])
 
     @property
     def closed(self) -> "ClosedForm":
@@ -101,7 +105,9 @@ class Arm:
     def size(self) -> float:
         """All lengths and strokes together [m]."""
         sizes = [*self.robot.values(self.lengths).values()]
-        sizes += [float(x) for x, kind in zip(self.q, self.kinds, strict=True) if kind == "P"]
+        for x, kind in zip(self.q, self.kinds, strict=True):
+            if kind == "P":
+                sizes.append(float(x))
         return sum(map(abs, sizes))
 
     def drawing(
@@ -117,25 +123,34 @@ class Arm:
         view: tuple[float, float] = Drawing.view,
         stands: ArrayLike = Drawing.stands,
     ) -> Drawing:
-        """The arm as it stands, its base and tool frame under these names; an empty name draws no frame.
+        """The arm as it stands, its base and tool frame under these names.
 
-        `lengths` are dimension lines: name to the two ends in base coordinates [m]. `more` are other frames that are
-        drawn: name to the frame (4, 4) in base coordinates. `view` and `stands` are those of `Drawing`.
+        An empty name draws no frame. `lengths` are dimension lines: name to the two ends in base
+        coordinates [m]. `more` are other frames that are drawn: name to the frame (4, 4) in base
+        coordinates. `view` and `stands` are those of `Drawing`.
         """
         frames = {base: np.eye(4), tool: self.T, **(more or {})}
         triads = tuple(Triad(pose, label) for label, pose in frames.items() if label)
-        lines = tuple(
-            Dimension(point(np.asarray(start)), point(np.asarray(end)), name)
-            for name, (start, end) in (lengths or {}).items()
-        )
-        plate = point(np.asarray(stands))
+
+        lines: list[Dimension] = []
+        for name, (start, end) in (lengths or {}).items():
+            lines.append(Dimension(point(np.asarray(start)), point(np.asarray(end)), name))
+
         return Drawing(
-            self.chain, tuple(self.q.tolist()), caption, alt, triads, lines, arrows, view, plate
+            self.chain,
+            tuple(self.q.tolist()),
+            caption,
+            alt,
+            triads,
+            tuple(lines),
+            arrows,
+            view,
+            stands=point(np.asarray(stands)),
         )
 
 
 def arm_of(robot: Robot, v: Variant, names: tuple[str, ...] | None = None) -> Arm:
-    """The arm of a variant: q as drawn, and those of the robot's lengths that were drawn, or of `names` alone.
+    """The arm of a variant: q and the robot's lengths as drawn, or those of `names` alone.
 
     Raises:
         ExerciseError: no q was drawn.
@@ -147,7 +162,8 @@ def arm_of(robot: Robot, v: Variant, names: tuple[str, ...] | None = None) -> Ar
         )
     sizes = robot.parameters if names is None else names
     lengths = tuple((name, float(v[name])) for name in sizes if name in v)
-    return _kept(robot, lengths, tuple(float(x) for x in v["q"]))
+    q = tuple(float(x) for x in v["q"])
+    return _kept(robot, lengths, q)
 
 
 def units_of(robot: Robot, names: tuple[str, ...] | None = None) -> dict[str, str | list[str]]:

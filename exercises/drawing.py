@@ -14,7 +14,7 @@ Point = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class Dimension:
-    """A dimension line between two points in base coordinates [m], labelled with a parameter's symbol."""
+    """A dimension line between two points in base coordinates [m], with a parameter's symbol."""
 
     start: Point
     end: Point
@@ -23,7 +23,10 @@ class Dimension:
 
 @dataclass(frozen=True, eq=False)
 class Triad:
-    """A frame drawn as three labelled arrows; `pose` is (4, 4) in base coordinates, `label` the subscript."""
+    """A frame drawn as three labelled arrows.
+
+    `pose` is (4, 4) in base coordinates, `label` the subscript.
+    """
 
     pose: "NDArray[np.float64]"
     label: str
@@ -33,8 +36,8 @@ class Triad:
 class Drawing:
     """An arm at one configuration `q` [rad, m], seen from `view` (azimuth, elevation) in degrees.
 
-    With `arrows`, each joint carries an arrow in its positive sense. The arm stands off its base plate along `stands`,
-    in base axes: on a wall or a ceiling, that is not z.
+    With `arrows`, each joint carries an arrow in its positive sense. The arm stands off its base
+    plate along `stands`, in base axes: on a wall or a ceiling, that is not z.
     """
 
     chain: "Chain"

@@ -1,12 +1,13 @@
-"""The contract: everything an exercise file may use. Read this first, then any one exercise beside it.
+"""The contract: everything an exercise file may use. Read this first, then any one exercise.
 
-An exercise draws plain numbers for one student (a `Variant`) and lists the parts asked about them. Each part names
-the variable it is handed in as, the kind of its answer, and how the answer follows from the variant and from the
-earlier parts it needs. Sheets, worked solutions, tolerances, marks and feedback are derived from that.
+An exercise draws plain numbers for one student (a `Variant`) and lists the parts asked about them.
+Each part names the variable it is handed in as, the kind of its answer, and how the answer follows
+from the variant and from the earlier parts it needs. Sheets, worked solutions, tolerances, marks
+and feedback are derived from that.
 """
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from keyword import iskeyword
 from typing import Any, Literal, cast, get_args
@@ -57,7 +58,7 @@ __all__ = [
 ]
 
 Given = Mapping[str, Any]
-"""Earlier answers by variable, each of its declared type, whoever gave it: the reference or the student."""
+"""Earlier answers by variable, each of its declared type: the reference's, or the student's."""
 Credit = Literal["entry", "column", "block", "all"]
 Rows = Literal["linear, angular", "angular, linear"]
 """Which rows of a Jacobian, and which half of a twist, stand above the others."""
@@ -69,11 +70,11 @@ class ExerciseError(KinegradeError):
 
 @dataclass(frozen=True)
 class Outcome:
-    """What a part's own `check` found: which entries are right, how the answer was read, and a finding.
+    """What a part's own `check` found: what is right, how the answer was read, and a finding.
 
-    `right` is None where the usual comparison with the reference shall decide. `share` of the points is earned where
-    the right entries alone do not say it. Of a function, `right` has a flag for every group of calls (`Results`), or a
-    list of flags, one for each of its calls.
+    `right` is None where the usual comparison with the reference shall decide. `share` of the
+    points is earned where the right entries alone do not say it. Of a function, `right` has a flag
+    for every group of calls (`Results`), or a list of flags, one for each of its calls.
     """
 
     right: ArrayLike | Sequence[bool | Sequence[bool]] | None = None
@@ -84,10 +85,12 @@ class Outcome:
 
 @dataclass(frozen=True)
 class Step:
-    """One step of a worked solution: text with the general formula, a closed form, then the student's numbers.
+    """One step of a worked solution.
 
-    `text` is Markdown with LaTeX between dollar signs; `symbol` is the LaTeX left-hand side of `formula` (sympy, or
-    formulas) and of `numbers` (an array, printed to `decimals`, by default those of its part).
+    It is text with the general formula, a closed form, then the student's numbers. `text` is
+    Markdown with LaTeX between dollar signs; `symbol` is the LaTeX left-hand side of `formula`
+    (sympy, or formulas) and of `numbers` (an array, printed to `decimals`, by default those of its
+    part).
     """
 
     text: str
@@ -99,7 +102,7 @@ class Step:
 
 @dataclass(frozen=True)
 class Mistake:
-    """A known mistake: the sentence that names the step to look at again, and the answer it leads to."""
+    """A known mistake: the sentence that names the step to look at again, and its wrong answer."""
 
     sentence: str
     solve: Callable[[Variant, Given], Any]
@@ -107,12 +110,14 @@ class Mistake:
 
 @dataclass(frozen=True, eq=False)
 class Part:
-    """One question. `solve(v, given)` returns the reference answer from the variant and the parts in `needs`.
+    """One question.
 
-    An unasked part (`asked=False`) is an intermediate that is rounded for the tolerance but never printed. `follow` is
-    the share of the points for an answer that is right from the student's own, wrong, earlier answers. `credit` says
-    whether marks go to entries, to whole columns, to blocks of three rows (linear ones, angular ones), or to the whole
-    answer only. `tolerance` overrides the derived one.
+    `solve(v, given)` returns the reference answer from the variant and the parts in `needs`. An
+    unasked part (`asked=False`) is an intermediate that is rounded for the tolerance but never
+    printed. `follow` is the share of the points for an answer that is right from the student's own,
+    wrong, earlier answers. `credit` says whether marks go to entries, to whole columns, to blocks
+    of three rows (linear ones, angular ones), or to the whole answer only. `tolerance` overrides
+    the derived one.
     """
 
     variable: str
@@ -133,16 +138,18 @@ class Part:
 
 @dataclass(frozen=True, eq=False)
 class Exercise:
-    """One exercise file. `draw(rng)` returns plain numbers; they pass through JSON before anything is computed.
+    """One exercise file.
 
-    `units` give the unit of every drawn number that is printed (nested like the number itself); what is not listed
-    there is not printed. `hidden` names drawn numbers that stay with the instructor, such as the inputs of a function;
-    `structure` names drawn choices of form, which are neither printed nor secret and can be pinned for a whole class.
-    `symbols` are the LaTeX of printed names that are more than letters and an index.
-    `scale(v)` is a typical length [m] that linear tolerances are measured against. `named` are the names of which every
-    one is drawn for some student. `robot` names a robot of the catalogue whose map stands in the report.
-    `rows` is the order of rows in every Jacobian and twist of the exercise: what the sheet says of it and what
-    findings say follow it; `solve` and the units of an answer stand in that order themselves.
+    `draw(rng)` returns plain numbers; they pass through JSON before anything is computed. `units`
+    give the unit of every drawn number that is printed (nested like the number itself); what is not
+    listed there is not printed. `hidden` names drawn numbers that stay with the instructor, such as
+    the inputs of a function; `structure` names drawn choices of form, which are neither printed nor
+    secret and can be pinned for a whole class. `symbols` are the LaTeX of printed names that are
+    more than letters and an index. `scale(v)` is a typical length [m] that linear tolerances are
+    measured against. `named` are the names of which every one is drawn for some student. `robot`
+    names a robot of the catalogue whose map stands in the report. `rows` is the order of rows in
+    every Jacobian and twist of the exercise: what the sheet says of it and what findings say follow
+    it; `solve` and the units of an answer stand in that order themselves.
     """
 
     slug: str
@@ -167,14 +174,17 @@ class Exercise:
         """Refuse what could not be collected, marked or printed.
 
         Raises:
-            ExerciseError: a variable that is not unique, a need that is not an earlier part, points that are not
-                positive, a prompt that is missing, a unit that is unknown, or another order of rows.
+            ExerciseError: a variable that is not unique, a need that is not an earlier part, points
+                that are not positive, a prompt that is missing, a unit that is unknown, or another
+                order of rows.
         """
         if self.rows not in get_args(Rows):
             orders = " or ".join(map(repr, get_args(Rows)))
             raise ExerciseError(f"exercise {self.slug}: rows takes {orders}, got {self.rows!r}")
+
         for name, unit in self.units.items():
             _check_units(f"exercise {self.slug}: units of {name}", unit)
+
         known: dict[str, Part] = {}
         for part in self.parts:
             _check_part(self.slug, part, known)
@@ -194,42 +204,51 @@ class Exercise:
 
 
 def _check_part(slug: str, part: Part, known: Mapping[str, Part]) -> None:
-    name = part.variable
+    """Refuses a part that could not be collected, computed, printed or marked behind the known."""
+    _check_variable(slug, part.variable, known)
+    for need in part.needs:
+        _check_need(slug, part.variable, need, known)
+    if part.asked and not (part.points > 0 and part.prompt):
+        raise ExerciseError(
+            f"exercise {slug}: {part.variable} takes a prompt, in an exercise file the docstring "
+            "of its function, and positive points"
+        )
+    _check_marking(slug, part)
+
+
+def _check_variable(slug: str, name: str, known: Collection[str]) -> None:
     if not name.isidentifier() or iskeyword(name) or not name.startswith(f"{slug}_"):
         raise ExerciseError(
-            f"exercise {slug}: a variable takes a Python name that starts with {slug}_, got {name!r}"
+            f"exercise {slug}: a variable takes a Python name that starts with {slug}_, "
+            f"got {name!r}"
         )
     if name in known:
         raise ExerciseError(
             f"exercise {slug}: two parts are called {name}; a sheet collects answers by name"
         )
-    for need in part.needs:
-        if need not in known:
-            raise ExerciseError(
-                f"exercise {slug}: {name} needs {need}, which is not an earlier part"
-            )
-        if isinstance(known[need].answer, Function | Manual):
-            raise ExerciseError(
-                f"exercise {slug}: {name} cannot need {need}: nothing can be computed from it"
-            )
-    if part.asked and not (part.points > 0 and part.prompt):
+
+
+def _check_need(slug: str, name: str, need: str, known: Mapping[str, Part]) -> None:
+    if need not in known:
+        raise ExerciseError(f"exercise {slug}: {name} needs {need}, which is not an earlier part")
+    if isinstance(known[need].answer, Function | Manual):
         raise ExerciseError(
-            f"exercise {slug}: {name} takes a prompt, in an exercise file the docstring of its function, and positive "
-            "points"
+            f"exercise {slug}: {name} cannot need {need}: nothing can be computed from it"
         )
-    if isinstance(part.answer, Configurations) and part.check is None:
+
+
+def _check_marking(slug: str, part: Part) -> None:
+    name, answer = part.variable, part.answer
+    if isinstance(answer, Configurations) and part.check is None:
         raise ExerciseError(
             f"exercise {slug}: {name} asks for configurations, which take a check that judges them"
         )
-    rubric = (
-        sum(points for points, _ in part.answer.rubric)
-        if isinstance(part.answer, Manual)
-        else part.points
-    )
-    if not math.isclose(rubric, part.points):
-        raise ExerciseError(
-            f"exercise {slug}: {name} has {part.points:g} points, its rubric {rubric:g}"
-        )
+    if isinstance(answer, Manual):
+        rubric = sum(points for points, _ in answer.rubric)
+        if not math.isclose(rubric, part.points):
+            raise ExerciseError(
+                f"exercise {slug}: {name} has {part.points:g} points, its rubric {rubric:g}"
+            )
 
 
 def _check_units(where: str, units: Any) -> None:
@@ -259,13 +278,13 @@ def references(exercise: Exercise, v: Variant) -> dict[str, Any]:
     """Reference answers of all parts, by variable.
 
     Raises:
-        ExerciseError: `solve` returned something else than declared, such as numbers of another shape.
+        ExerciseError: `solve` returned something else than declared, such as numbers of another
+            shape.
     """
     given: dict[str, Any] = {}
     for part in exercise.parts:
-        given[part.variable] = solve(
-            exercise.slug, part, v, {name: given[name] for name in part.needs}
-        )
+        needed = {name: given[name] for name in part.needs}
+        given[part.variable] = solve(exercise.slug, part, v, needed)
     return given
 
 

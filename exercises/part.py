@@ -1,9 +1,11 @@
-r'''The contract of an exercise file. Read this first, then any file of catalogue/: it reads as its sheet does.
+r'''The contract of an exercise file. Read this first, then any file of catalogue/.
 
     def draw(rng):
         return {"l1": length(rng), "l2": length(rng), "q": angles(rng, 2, [(0, 1)])}
 
-    @part(2, Numbers((2, 2), "m/rad", 3), mistakes=[("A sign of the first row is wrong.", lambda J: J * [[-1], [1]])])
+    SIGN = ("A sign of the first row is wrong.", lambda J: J * [[-1], [1]])
+
+    @part(2, Numbers((2, 2), "m/rad", 3), mistakes=[SIGN])
     def J(arm):
         r"""The 2 x 2 block $\mathbf J$ for $v_x, v_y$
 
@@ -14,12 +16,20 @@ r'''The contract of an exercise file. Read this first, then any file of catalogu
         """
         return arm.J[:2]
 
-    EXERCISE = exercise("speed", title="...", source="...", robot=ROBOTS["planar_2r"], draw=draw, parts=[J])
+    EXERCISE = exercise(
+        "speed",
+        title="...",
+        source="...",
+        robot=ROBOTS["planar_2r"],
+        draw=draw,
+        parts=[J],
+    )
 
-A part is a function. Its name is the variable on the sheet (`speed_J`), its docstring is question, hints and worked
-solution (worked.py). Its parameters are names on the sheet: drawn numbers, `arm` (arm.py), and earlier parts, which it
-then needs - when a student is marked, they come from the student's own answers. Mistakes, checks, `shows` and the
-statement take parameters of the same kind; they may take the part itself too - by its name as a parameter, since a
+A part is a function. Its name is the variable on the sheet (`speed_J`), its docstring is question,
+hints and worked solution (worked.py): the file reads as its sheet does. Its parameters are names on
+the sheet: drawn numbers, `arm` (arm.py), and earlier parts, which it then needs - when a student is
+marked, they come from the student's own answers. Mistakes, checks, `shows` and the statement take
+parameters of the same kind; they may take the part itself too - by its name as a parameter, since a
 decorator stands above the function - and `v` stands for all drawn numbers.
 '''
 
@@ -34,13 +44,15 @@ from ..solutions.robot import Robot
 from ..solutions.robots import ROBOTS
 from .answers import Answer, TableOf, Variant
 from .arm import Arm, arm_of, units_of
-from .contract.introduction import drawn_arm, home_and_now, introduction, off_the_drawing
+from .contract.introduction import home_and_now, off_the_drawing
 from .contract.names import Function, Names
 from .contract.question import Question, Wrong, put_on_sheet
-from .drawing import Drawing
+from .contract.statement import drawings_of, scale_of, statement_of
 from .exercise import Exercise, ExerciseError, Part, Rows
 
 RobotOf = Robot | Callable[..., Robot]
+Draw = Callable[[np.random.Generator], dict[str, Any]]
+"""Drawn numbers of one student, by their names on the sheet."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,9 +90,10 @@ def part(
 ) -> Callable[[Function], Question]:
     """The function below it as a part that asks for this kind of answer (answers.py).
 
-    `mistakes` are known wrong ways, each with the sentence that names it. `check(value)` judges what is not unique, or
-    names another reading of the question, and returns an `Outcome` or nothing. `shows` are values for the worked
-    solution. `options` are `follow`, `credit`, `tolerance` and `asked` of `Part` in exercise.py.
+    `mistakes` are known wrong ways, each with the sentence that names it. `check(value)` judges
+    what is not unique, or names another reading of the question, and returns an `Outcome` or
+    nothing. `shows` are values for the worked solution. `options` are `follow`, `credit`,
+    `tolerance` and `asked` of `Part` in exercise.py.
     """
 
     def decorated(solve: Function) -> Question:
@@ -96,7 +109,7 @@ def exercise(
     *,
     title: str,
     source: str,
-    draw: Callable[[np.random.Generator], dict[str, Any]],
+    draw: Draw,
     parts: Sequence[Question | Ready],
     robot: RobotOf | None = None,
     sizes: tuple[str, ...] | None = None,
@@ -112,42 +125,61 @@ def exercise(
 ) -> Exercise:
     """An exercise of these parts, in the order of the sheet.
 
-    With a `robot`, or a function of drawn numbers that returns one, `arm` is known to all functions, and so are the
-    units of q and of the robot's lengths; `sizes` names the drawn numbers that are its lengths where not all are.
-    All else that is drawn stands in `units` (printed), `hidden` (for the instructor alone) or `structure` (choices of
-    form, neither printed nor secret). `statement` is text or returns it, `drawings` returns a `Drawing` or several; a
-    robot alone brings both. `scale` is a typical length [m], by default the size of the arm. `robot_map` is a robot of
-    the catalogue whose map stands in the report. `about` are `objectives`, `minutes` and `symbols` of `Exercise`.
+    With a `robot`, `arm` is known to all functions, and so are the units of q and of the robot's
+    lengths. All else that is drawn stands in `units`, `hidden` or `structure`.
+
+    Args:
+        slug: The name of the file and the beginning of every variable.
+        title: Its heading on the sheet.
+        source: Where it comes from, such as a book and its section.
+        draw: Returns plain numbers.
+        parts: Functions under `part`, and ready-made questions (questions/).
+        robot: A robot, or a function of drawn numbers that returns one.
+        sizes: The drawn numbers that are lengths of the robot, where not all are.
+        statement: Text or a function that returns it; a robot alone brings one.
+        drawings: Returns a `Drawing` or several; a robot alone brings one.
+        units: The unit of every drawn number that is printed.
+        hidden: Drawn numbers for the instructor alone.
+        structure: Drawn choices of form, neither printed nor secret.
+        scale: A typical length [m], by default the size of the arm.
+        rows: The order of the rows of a twist.
+        robot_map: A robot of the catalogue whose map stands in the report.
+        about: `objectives`, `minutes` and `symbols` of `Exercise`.
 
     Raises:
         ExerciseError: a name stands for nothing, or the file breaks the contract otherwise.
     """
-    known_units = {**_units_of_robot(robot, sizes, (*hidden, *structure)), **(units or {})}
-    drawn = frozenset((*known_units, *hidden, *structure))
-    names = Names(slug, drawn, _arm(robot, Names(slug, drawn, None), sizes))
+    own_units = units or {}
+    unprinted = (*hidden, *structure)
+    known_units = {**_units_of_robot(robot, sizes, unprinted), **own_units}
+    drawn = frozenset((*known_units, *unprinted))
+    without_arm = Names(slug, drawn, None)  # for a function that returns the robot
+    names = Names(slug, drawn, _arm(robot, without_arm, sizes))
+
     questions = _questions(parts, names, draw, rows)
     _check_names(slug, questions, known_units)
-    if statement is None and any(isinstance(question.answer, TableOf) for question in questions):
-        statement, drawings = (
-            off_the_drawing,
-            drawings or home_and_now,
-        )  # a printed table would be the answer
-    if robot_map is None and isinstance(robot, Robot) and ROBOTS.get(robot.name) is robot:
-        robot_map = robot.name
+
+    asks_for_table = any(isinstance(question.answer, TableOf) for question in questions)
+    if statement is None and asks_for_table:  # a printed table would be the answer
+        statement = off_the_drawing
+        drawings = drawings or home_and_now
+    if robot_map is None:
+        robot_map = _name_in_catalogue(robot)
+
     return Exercise(
         slug=slug,
         title=title,
         source=source,
         draw=_checked(draw, names),
         parts=tuple(_placed(questions, names)),
-        statement=_statement(names, statement),
+        statement=statement_of(names, statement),
         units=known_units,
-        scale=_scale(names, scale),
+        scale=scale_of(names, scale),
         hidden=hidden,
         structure=structure,
-        drawings=_drawings(names, drawings, standard=statement is None),
+        drawings=drawings_of(names, drawings, standard=statement is None),
         rows=rows,
-        named=(*(units or {}), *hidden, *structure),
+        named=(*own_units, *unprinted),
         robot=robot_map,
         **about,
     )
@@ -156,10 +188,17 @@ def exercise(
 def _units_of_robot(
     robot: RobotOf | None, sizes: tuple[str, ...] | None, unprinted: Sequence[str]
 ) -> dict[str, str | list[str]]:
-    """Units of q and of the lengths, for a robot that is known when the file loads, but for what is not printed."""
+    """Units of q and of the printed lengths, for a robot that is known when the file loads."""
     if not isinstance(robot, Robot):
         return {}
     return {name: unit for name, unit in units_of(robot, sizes).items() if name not in unprinted}
+
+
+def _name_in_catalogue(robot: RobotOf | None) -> str | None:
+    """The name of a robot of the catalogue; a variation of one has none."""
+    if isinstance(robot, Robot) and ROBOTS.get(robot.name) is robot:
+        return robot.name
+    return None
 
 
 def _arm(
@@ -176,21 +215,23 @@ def _arm(
 def _questions(
     parts: Sequence[Question | Ready],
     names: Names,
-    draw: Callable[[np.random.Generator], dict[str, Any]],
+    draw: Draw,
     rows: Rows,
 ) -> list[Question]:
     """The parts, ready-made ones fitted to the robot of a first draw."""
-    if all(isinstance(one, Question) for one in parts):
-        return [one for one in parts if isinstance(one, Question)]
-    if names.arm is None:
-        raise ExerciseError(
-            f"exercise {names.slug}: a ready-made question takes an exercise with a robot"
-        )
-    arm = names.arm(draw(np.random.default_rng(0)))
+    arm: Arm | None = None  # drawn once, and only where a ready-made part takes it
     questions: list[Question] = []
     for one in parts:
+        if isinstance(one, Question):
+            questions.append(one)
+            continue
+        if names.arm is None:
+            raise ExerciseError(
+                f"exercise {names.slug}: a ready-made question takes an exercise with a robot"
+            )
+        arm = arm or names.arm(draw(np.random.default_rng(0)))
         earlier = {question.name: question.answer for question in questions}
-        questions.append(one if isinstance(one, Question) else one(Setting(arm, rows, earlier)))
+        questions.append(one(Setting(arm, rows, earlier)))
     return questions
 
 
@@ -199,7 +240,8 @@ def _check_names(slug: str, questions: Sequence[Question], printed: Mapping[str,
     for question in questions:
         if question.name in printed or question.name in ("v", "arm", "value"):
             raise ExerciseError(
-                f"exercise {slug}: a part cannot be called {question.name}, which is something else's name here"
+                f"exercise {slug}: a part cannot be called {question.name}, "
+                "which is something else's name here"
             )
 
 
@@ -212,67 +254,20 @@ def _placed(questions: Sequence[Question], names: Names) -> list[Part]:
     return placed
 
 
-def _checked(
-    draw: Callable[[np.random.Generator], dict[str, Any]], names: Names
-) -> Callable[[np.random.Generator], dict[str, Any]]:
+def _checked(draw: Draw, names: Names) -> Draw:
     """A draw that is refused where a number would stand on no sheet and in no list."""
 
     def checked(rng: np.random.Generator) -> dict[str, Any]:
         v = draw(rng)
         for name in v:
-            if name not in names.drawn:
-                near = nearest(name, names.drawn)
-                hint = f"; is {near!r} there meant for it?" if near else ""
-                raise ExerciseError(
-                    f"exercise {names.slug}: draw returns {name!r}, which stands neither in units (printed) nor in "
-                    f"hidden nor in structure{hint}"
-                )
+            if name in names.drawn:
+                continue
+            near = nearest(name, names.drawn)
+            hint = f"; is {near!r} there meant for it?" if near else ""
+            raise ExerciseError(
+                f"exercise {names.slug}: draw returns {name!r}, which stands neither in units "
+                f"(printed) nor in hidden nor in structure{hint}"
+            )
         return v
 
     return checked
-
-
-def _statement(names: Names, statement: str | Function | None) -> Callable[[Variant], str]:
-    if isinstance(statement, str):
-        return lambda _: statement
-    if statement is None:
-        if names.arm is None:
-            raise ExerciseError(
-                f"exercise {names.slug}: a statement is missing; only a robot brings one"
-            )
-        statement = introduction
-    bound = names.bound(statement, "the statement")
-    return lambda v: bound(names, v, {})
-
-
-def _scale(names: Names, scale: float | Function | None) -> Callable[[Variant], float]:
-    if isinstance(scale, int | float):
-        return lambda _: float(scale)
-    if scale is None:
-        if names.arm is None:
-            raise ExerciseError(
-                f"exercise {names.slug}: scale, a typical length [m], is missing; only a robot brings one"
-            )
-        return _size_of(names.arm)
-    bound = names.bound(scale, "scale")
-    return lambda v: float(bound(names, v, {}))
-
-
-def _size_of(arm: Callable[[Variant], Arm]) -> Callable[[Variant], float]:
-    return lambda v: arm(v).size
-
-
-def _drawings(
-    names: Names, drawings: Function | None, *, standard: bool
-) -> Callable[[Variant], tuple[Drawing, ...]]:
-    if drawings is None:
-        if not (standard and names.arm):
-            return lambda _: ()
-        drawings = drawn_arm
-    bound = names.bound(drawings, "drawings")
-
-    def drawn(v: Variant) -> tuple[Drawing, ...]:
-        found = bound(names, v, {})
-        return (found,) if isinstance(found, Drawing) else tuple(found)
-
-    return drawn

@@ -1,4 +1,4 @@
-"""What makes an answer right where it is not unique: properties to check in place of a reference value."""
+"""What makes an answer right where it is not unique: properties in place of a reference value."""
 
 from collections.abc import Callable, Sequence
 from itertools import product
@@ -11,34 +11,48 @@ from .exercise import Outcome
 
 Array = NDArray[np.float64]
 TURN = 2 * np.pi
-MULTIPLE = "It is the determinant times a constant: it is zero in the right postures, but the determinant itself is asked."
+MULTIPLE = (
+    "It is the determinant times a constant: it is zero in the right postures, but the "
+    "determinant itself is asked."
+)
 LARGEST_ANGLE = 1e4  # beyond it, whole turns can no longer be taken off without rounding
 
 
 def parallel(
     value: ArrayLike, direction: ArrayLike, tolerance: float, *, sign: bool = False
 ) -> bool:
-    """Whether a vector (n,) points along a direction (n,), at any length; with `sign`, not against it.
+    """Whether a vector (n,) points along a direction (n,), at any length.
 
-    `tolerance` [rad] is the largest angle between them. A vector of zeros points nowhere.
+    With `sign`, it may not point against it. `tolerance` [rad] is the largest angle between them. A
+    vector of zeros points nowhere.
     """
-    a, b = np.asarray(value, dtype=float), np.asarray(direction, dtype=float)
+    a = np.asarray(value, dtype=float)
+    b = np.asarray(direction, dtype=float)
     size = float(np.linalg.norm(a) * np.linalg.norm(b))
     if size < 1e-9:
         return False
+
     cosine = float(a @ b) / size
-    return float(np.arccos(np.clip(cosine if sign else abs(cosine), -1, 1))) <= tolerance
+    if not sign:
+        cosine = abs(cosine)
+    angle = float(np.arccos(np.clip(cosine, -1, 1)))
+    return angle <= tolerance
 
 
 def is_guessable(direction: ArrayLike, angle: float = 0.05) -> bool:
-    """Whether a direction (n,) is within `angle` [rad] of one whose components are 0 and +-1, which a guess may hit."""
+    """Whether a direction (n,) is within `angle` [rad] of one that a guess may hit.
+
+    The components of a guess are 0 and +-1.
+    """
     wanted = np.asarray(direction, dtype=float)
-    return any(parallel(guess, wanted, angle) for guess in product((-1, 0, 1), repeat=len(wanted)))
+    guesses = product((-1, 0, 1), repeat=len(wanted))
+    return any(parallel(guess, wanted, angle) for guess in guesses)
 
 
 def meets(J: ArrayLike, rates: ArrayLike, target: ArrayLike, allowed: ArrayLike) -> bool:
-    """Whether joint rates (n,) give a velocity: |J rates - target| <= allowed in every row of J (m, n)."""
-    return bool((np.abs(np.asarray(J) @ np.asarray(rates) - np.asarray(target)) <= allowed).all())
+    """Whether joint rates (n,) give a velocity: |J rates - target| <= allowed, row by row of J."""
+    misses = np.asarray(J) @ np.asarray(rates) - np.asarray(target)
+    return bool((np.abs(misses) <= allowed).all())
 
 
 def is_right_inverse(J: ArrayLike, X: ArrayLike, tolerance: float) -> bool:
@@ -48,44 +62,54 @@ def is_right_inverse(J: ArrayLike, X: ArrayLike, tolerance: float) -> bool:
 
 
 def is_pseudoinverse(J: ArrayLike, X: ArrayLike, tolerance: float) -> bool:
-    """Whether X (n, m) meets the four Penrose conditions for J (m, n): J X J = J, X J X = X, J X and X J symmetric."""
+    """Whether X (n, m) meets the four Penrose conditions for J (m, n).
+
+    They are J X J = J, X J X = X, and that J X and X J are symmetric.
+    """
     A, B = np.asarray(J, dtype=float), np.asarray(X, dtype=float)
     AB, BA = A @ B, B @ A
-    misses = (A @ BA - A, (BA @ B - B) / max(1.0, np.abs(B).max()), AB - AB.T, BA - BA.T)
+    size = max(1.0, np.abs(B).max())  # X J X - X grows with X
+    misses = (A @ BA - A, (BA @ B - B) / size, AB - AB.T, BA - BA.T)
     return all(float(np.abs(miss).max()) <= tolerance for miss in misses)
 
 
 def proportional(value: ExpressionArray, reference: ExpressionArray, names: Sequence[str]) -> bool:
-    """Whether a formula is another one times a constant that is not zero, such as a determinant up to its sign."""
+    """Whether a formula is another one times a constant that is not zero.
+
+    So is a determinant up to its sign.
+    """
     values = sample(names, POINTS)
-    own, wanted = (
-        np.broadcast_to(x.at(values), (POINTS, *x.shape)).ravel() for x in (value, reference)
-    )
+    own = np.broadcast_to(value.at(values), (POINTS, *value.shape)).ravel()
+    wanted = np.broadcast_to(reference.at(values), (POINTS, *reference.shape)).ravel()
     if not np.isfinite(own).all() or not wanted.any():
         return False
+
     factor = float(own @ wanted) / float(wanted @ wanted)
-    return abs(factor) > 1e-9 and bool(
-        (np.abs(own - factor * wanted) <= 1e-8 * np.abs(own).max()).all()
-    )
+    misses = np.abs(own - factor * wanted)
+    return abs(factor) > 1e-9 and bool((misses <= 1e-8 * np.abs(own).max()).all())
 
 
 def named_multiple(
     value: ExpressionArray, determinant: ExpressionArray, names: Sequence[str]
 ) -> Outcome | None:
-    """Names a determinant that lacks a constant factor; right and wrong stay with the comparison."""
-    if same_formulas(value, determinant, names).all() or not proportional(
-        value, determinant, names
-    ):
+    """Names a determinant that lacks a constant factor; the comparison says whether it is right."""
+    if same_formulas(value, determinant, names).all():
+        return None
+    if not proportional(value, determinant, names):
         return None
     return Outcome(finding=MULTIPLE)
 
 
 def without_zeros(value: ExpressionArray, right: ExpressionArray, names: Sequence[str]) -> Outcome:
-    """Each right formula that is not zero earns its share, each wrong zero costs one: zeros alone earn nothing."""
+    """The share of right formulas less one for each that should be zero and is not.
+
+    A right zero earns nothing, so that zeros alone do not.
+    """
     same = same_formulas(value, right, names)
     earning = np.array([bool(entry.names) for entry in right.entries]).reshape(right.shape)
-    share = int((same & earning).sum()) - int((~same & ~earning).sum())
-    return Outcome(share=max(0, share) / int(earning.sum()))
+    hits = int((same & earning).sum())
+    wrong_zeros = int((~same & ~earning).sum())
+    return Outcome(share=max(0, hits - wrong_zeros) / int(earning.sum()))
 
 
 def up_to_full_turns(
@@ -95,10 +119,9 @@ def up_to_full_turns(
     same = same_formulas(value, right, names)
     turns = (sampled(value, names) - sampled(right, names)) / TURN
     for i in angles:
-        same[i] = (
-            np.isfinite(turns[:, i]).all()
-            and np.abs(turns[:, i] - np.round(turns[:, i])).max() < 1e-9
-        )
+        own = turns[:, i]
+        is_finite = np.isfinite(own).all()
+        same[i] = is_finite and np.abs(own - np.round(own)).max() < 1e-9
     return Outcome(right=same)
 
 
@@ -109,23 +132,26 @@ def listed(
 
     With `periodic`, angles a full turn apart are the same.
     """
-    own, all_wanted = (
-        np.atleast_2d(np.asarray(values, dtype=float)),
-        np.atleast_2d(np.asarray(wanted, dtype=float)),
-    )
+    own = np.atleast_2d(np.asarray(values, dtype=float))
+    all_wanted = np.atleast_2d(np.asarray(wanted, dtype=float))
     difference = own[:, None] - all_wanted[None]
     if periodic:
         difference = turned(difference)
-    same: NDArray[np.bool_] = np.asarray((np.abs(difference) <= tolerance).all(axis=-1))
-    return np.asarray(np.logical_or.reduce(same, axis=1)), np.asarray(
-        np.logical_or.reduce(same, axis=0)
-    )
+
+    same: NDArray[np.bool_] = np.asarray((np.abs(difference) <= tolerance).all(axis=-1))  # (m, k)
+    is_wanted = np.logical_or.reduce(same, axis=1)
+    is_had = np.logical_or.reduce(same, axis=0)
+    return np.asarray(is_wanted), np.asarray(is_had)
 
 
 def turned(difference: ArrayLike) -> NDArray[np.float64]:
-    """Differences of angles less whole turns, in [-pi, pi]; infinite where the angles are too large to tell."""
+    """Differences of angles [rad] less whole turns, in [-pi, pi].
+
+    They are infinite where the angles are too large to tell.
+    """
     angle = np.asarray(difference, dtype=float)
-    return np.where(np.abs(angle) > LARGEST_ANGLE, np.inf, angle - TURN * np.round(angle / TURN))
+    rest = angle - TURN * np.round(angle / TURN)
+    return np.where(np.abs(angle) > LARGEST_ANGLE, np.inf, rest)
 
 
 def list_share(
@@ -134,14 +160,16 @@ def list_share(
     tolerance: float,
     holds: Callable[[Array], bool] = lambda _: False,
 ) -> tuple[NDArray[np.bool_], float]:
-    """Right entries (m, n) of a list of configurations and the share it earns: each wrong one costs one right one.
+    """Right entries (m, n) of a list of configurations, and the share of the points it earns.
 
-    A configuration that is not in `wanted` may still be right when it `holds`.
+    Each wrong one costs a right one. A configuration that is not in `wanted` may still be right
+    when it `holds`.
     """
     own = np.asarray(values, dtype=float)
     right, hit = listed(own, wanted, tolerance)
     right = right | np.array([holds(row) for row in own])
-    share = max(0, int(hit.sum()) - int((~right).sum())) / len(hit)
+    hits, wrong = int(hit.sum()), int((~right).sum())
+    share = max(0, hits - wrong) / len(hit)
     return np.broadcast_to(right[:, None], own.shape), share
 
 

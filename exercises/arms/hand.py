@@ -6,9 +6,12 @@ import numpy as np
 
 from ...solutions.robots import ROBOTS
 from ..arm import Arm, Array
+from ..calculations.degrees import DEGREES, arm_in_degrees
 from ..calculations.last_frame import to_last
 from ..contract.printed_table import table_rows
 from ..drawing import Drawing
+
+__all__ = ["ARM", "CONVENTION", "DEGREES", "ROBOT", "drawn", "in_degrees", "modified"]
 
 ARM = ROBOTS["articulated_6r"]
 ROBOT = replace(
@@ -22,7 +25,6 @@ IN_DEGREES = replace(
     ROBOT, rows=[(theta, d, a, RIGHT_ANGLES[alpha]) for theta, d, a, alpha in table_rows(ROBOT)]
 )
 CONVENTION = "The table seems to be read in the modified convention; look again at the order of the motions of a row."
-DEGREES = "Angles in degrees seem to have gone into a sine or cosine that takes radians."
 
 
 def modified(arm: Arm) -> Array:
@@ -33,7 +35,7 @@ def modified(arm: Arm) -> Array:
 
 def in_degrees(arm: Arm) -> Array:
     """Transforms (7, 4, 4) to the last frame with every angle in degrees in functions that take radians."""
-    return to_last(replace(arm, robot=IN_DEGREES, q=np.degrees(arm.q)))
+    return to_last(arm_in_degrees(arm, IN_DEGREES))
 
 
 def drawn(arm: Arm) -> Drawing:

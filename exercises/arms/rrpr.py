@@ -9,14 +9,29 @@ from numpy.typing import ArrayLike
 
 from ...solutions.robot import Robot
 from ..arm import Arm, Array, units_of
+from ..calculations.degrees import DEGREES, arm_in_degrees
 from ..contract.printed_table import printed_table, table_rows
 from ..drawing import Drawing
 from ..draws import angles, length
 
+__all__ = [
+    "DEGREES",
+    "LENGTHS",
+    "LEVEL",
+    "SENSES",
+    "UNITS",
+    "described",
+    "drawn",
+    "in_degrees",
+    "level",
+    "posture",
+    "robot",
+    "rotation_at",
+]
+
 SENSES = tuple(product(("", "-"), repeat=4))  # of alpha1, alpha2, theta3, alpha3
 LENGTHS = ("d1", "a2", "a4")
 LEVEL = "Row 3 of the table: joint 3 slides, but its theta is a right angle and not zero."
-DEGREES = "Angles in degrees seem to have gone into a sine or cosine that takes radians."
 
 
 @lru_cache
@@ -62,8 +77,7 @@ def level(form: int, arm: Arm) -> Arm:
 
 def in_degrees(form: int, arm: Arm) -> Arm:
     """The student's arm with every angle in degrees in functions that take radians, as `DEGREES` says."""
-    q = [np.degrees(x) if kind == "R" else x for x, kind in zip(arm.q, arm.kinds, strict=True)]
-    return replace(arm, robot=robot(form, right_angle="90"), q=np.array(q))
+    return arm_in_degrees(arm, robot(form, right_angle="90"))
 
 
 def described(arm: Arm) -> str:

@@ -1,7 +1,8 @@
-"""The columns of a Jacobian, right and in the ways in which they go wrong, each with the sentence that names it.
+"""The columns of a Jacobian, right and in wrong ways, each with the sentence that names it.
 
-`T` (n + 1, 4, 4) holds the frames T_0^0 ... T_0^n of the standard convention, in numbers or in sympy's closed form,
-so that z and o of frame i - 1 are the axis of joint i and a point on it. J (6, n) has the linear rows on top.
+`T` (n + 1, 4, 4) holds the frames T_0^0 ... T_0^n of the standard convention, in numbers or in
+sympy's closed form, so that z and o of frame i - 1 are the axis of joint i and a point on it. J
+(6, n) has the linear rows on top.
 """
 
 from collections.abc import Callable, Sequence
@@ -29,7 +30,7 @@ class Slip:
 
 
 def columns(z: Any, lever: Any, kinds: str) -> Any:
-    """J (6, n) of joint axes and lever arms (n, 3): z x lever above z, or z above zeros for a slide."""
+    """J (6, n) of joint axes and lever arms (n, 3): z x lever over z; of a slide, z over zeros."""
     turns = np.array([kind == "R" for kind in kinds])[:, None]
     linear = np.where(turns, np.cross(z, lever), z)
     angular = np.where(turns, z, 0)
@@ -42,11 +43,14 @@ def right(T: Any, kinds: str) -> Any:
 
 
 def closed(robot: Robot, way: Columns = right) -> ExpressionArray:
-    """The closed columns (6, n) of a robot with a standard table, right or in a wrong way; made once.
+    """The closed columns (6, n) of a robot with a standard table, right or in a wrong way.
 
-    Raises ExpressionError for an entry that is too long to be read, as in wrong columns of six joints.
+    It is made once.
+
+    Raises:
+        ExpressionError: an entry is too long to be read, as in wrong columns of six joints.
     """
-    return _closed(robot, way)
+    return _closed(robot, way)  # the same entry whether `right` is stated or not
 
 
 @lru_cache(maxsize=256)
@@ -54,14 +58,17 @@ def _closed(robot: Robot, way: Columns) -> ExpressionArray:
     sympy: Any = import_module("sympy")
     form: Any = robot.symbolic()
     frames = np.array([frame.tolist() for frame in form.frames])
-    return expression_array(sympy.Matrix(way(frames, robot.kinds)).expand(), robot.names)
+    J = sympy.Matrix(way(frames, robot.kinds))
+    return expression_array(J.expand(), robot.names)
 
 
 def _z(T: Any) -> Any:
+    """The joint axes (n, 3)."""
     return T[:-1, :3, 2]
 
 
 def _o(T: Any) -> Any:
+    """A point (n, 3) on each of them."""
     return T[:-1, :3, 3]
 
 
@@ -114,13 +121,22 @@ def tool_axes(T: Any, kinds: str) -> Any:
     return in_axes(right(T, kinds), T[-1, :3, :3])
 
 
-LATE = "Column i seems to be taken from frame i; in the standard convention the axis of joint i is z of frame i - 1."
+LATE = (
+    "Column i seems to be taken from frame i; in the standard convention the axis of joint i is z "
+    "of frame i - 1."
+)
 LATE_AXES = (
     "The axes seem to be those of frame i in column i; the axis of joint i is z of frame i - 1."
 )
-OWN_LINK = "The lever arm of a column seems to end at the next frame; where does the point lie whose velocity is asked?"
+OWN_LINK = (
+    "The lever arm of a column seems to end at the next frame; where does the point lie whose "
+    "velocity is asked?"
+)
 FROM_BASE = "The lever arms seem to begin at the base; each begins on its joint's own axis."
-REVERSED = "The order of the cross product is reversed, which changes its sign: first what turns, then the lever arm."
+REVERSED = (
+    "The order of the cross product is reversed, which changes its sign: first what turns, then "
+    "the lever arm."
+)
 TURNING = (
     "A prismatic column looks as if its joint were revolute; look again at the types of the joints."
 )
@@ -146,4 +162,9 @@ SLIPS: tuple[Slip, ...] = (
 def different(T: Any, kinds: str, slips: Sequence[Slip] = SLIPS, least: float = 1e-6) -> list[Slip]:
     """Those whose columns differ from the right ones by more than `least` in some entry."""
     J = right(T, kinds)
-    return [slip for slip in slips if np.abs(slip.columns(T, kinds) - J).max() > least]
+    found: list[Slip] = []
+    for slip in slips:
+        wrong = slip.columns(T, kinds)
+        if np.abs(wrong - J).max() > least:
+            found.append(slip)
+    return found

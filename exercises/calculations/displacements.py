@@ -1,7 +1,8 @@
-"""Displacements du = (dp, dw) of a tool frame, right and in the ways in which they go wrong, each with its sentence.
+"""Displacements du = (dp, dw) of a tool frame, right and in wrong ways, each with its sentence.
 
-`T` and `goal` are frames (4, 4) in base coordinates. The right displacement from one to the other is the engine's
-`displacement(T, goal)` (6,), in base axes: dp [m] above the rotation vector dw [rad] with R_goal = R(dw) R.
+`T` and `goal` are frames (4, 4) in base coordinates. The right displacement from one to the other
+is the engine's `displacement(T, goal)` (6,), in base axes: dp [m] above the rotation vector dw
+[rad] with R_goal = R(dw) R.
 """
 
 from collections.abc import Callable
@@ -36,18 +37,25 @@ def frame_near(
     along: tuple[float, float] = (0.03, 0.08),
     about: tuple[float, float] = (0.06, 0.16),
 ) -> list[list[float]]:
-    """A frame (4, 4) that lies so far `along` [m] and is turned so far `about` [rad] every base axis, in either sense.
+    """A frame (4, 4) that lies so far `along` [m] every base axis from T, in either sense.
 
-    It has seven decimals: to fewer it would not pass for a rotation.
+    It is turned so far `about` [rad] each of them, and has seven decimals: to fewer it would not
+    pass for a rotation.
     """
+    move = rng.uniform(*along, 3) * rng.choice([-1, 1], 3)
+    turn = rng.uniform(*about, 3) * rng.choice([-1, 1], 3)
+
     goal = np.eye(4)
-    goal[:3, 3] = T[:3, 3] + rng.uniform(*along, 3) * rng.choice([-1, 1], 3)
-    goal[:3, :3] = vector_rotation(rng.uniform(*about, 3) * rng.choice([-1, 1], 3)) @ T[:3, :3]
-    return (np.round(goal, 7) + 0.0).tolist()
+    goal[:3, 3] = T[:3, 3] + move
+    goal[:3, :3] = vector_rotation(turn) @ T[:3, :3]
+    return (np.round(goal, 7) + 0.0).tolist()  # no -0.0
 
 
 def step(arm: Arm, du: Array, frame: Frame = "base") -> Array:
-    """The dq (n,) with J dq = du, J in axes of this frame; least squares where a student's own posture is singular."""
+    """The dq (n,) with J dq = du, J in axes of this frame.
+
+    Where a student's own posture is singular, it is the least-squares solution.
+    """
     return joint_rates(arm.chain, arm.q, du, frame=frame)
 
 
@@ -77,8 +85,12 @@ def tool_axes_move(T: Array, goal: Array) -> Array:
 
 
 def sine(T: Array, goal: Array) -> Array:
-    """Half the differences of opposite entries of R(dw), the axis times the sine of the angle, in place of dw."""
+    """The axis times the sine of the angle in place of dw.
+
+    That is half the differences of opposite entries of R(dw).
+    """
     du = displacement(T, goal)
+    # numpy's sinc(x) is sin(pi x) / (pi x)
     return np.where(ANGULAR, np.sinc(sizes(du)[1] / np.pi), 1) * du
 
 

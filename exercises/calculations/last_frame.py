@@ -1,6 +1,7 @@
-"""The Jacobian of a six-joint arm in the axes of its last frame, and the ways in which its columns go wrong.
+"""The Jacobian of a six-joint arm in the axes of its last frame, right and in wrong ways.
 
-S1, eq. 5.26: column i takes n, o, a and p, the columns of the transform from frame i - 1 to the last.
+S1, eq. 5.26: column i takes n, o, a and p, the columns of the transform from frame i - 1 to the
+last.
 """
 
 import numpy as np
@@ -56,7 +57,10 @@ def turned(R: Array, J: Array) -> Array:
     return np.concatenate([R @ J[:3], R @ J[3:]])
 
 
-ROWS = "Rows and columns of the rotation seem exchanged: n, o and a are its columns, and n_z is the last entry of n."
+ROWS = (
+    "Rows and columns of the rotation seem exchanged: n, o and a are its columns, and n_z is the "
+    "last entry of n."
+)
 NEXT = "This comes out of the transform of another frame: column i takes the one from frame i - 1."
 SIGNS = "Every sign of the linear rows is reversed: which of the two products is subtracted?"
 WAY_BACK = "The rotation seems to be turned the other way round: whose axes are its columns?"
@@ -74,7 +78,15 @@ WRONG: tuple[Wrong, ...] = (
 
 
 def shows_mistakes(arm: Arm, columns: list[int]) -> bool:
-    """Whether every known mistake changes the columns on paper (indices from 0), and no column is small."""
+    """Whether every known mistake changes the columns on paper, and no column is small.
+
+    `columns` are the indices of those on paper, from 0.
+    """
     J = columns_of(to_last(arm))
-    changes = [np.abs(wrong(arm) - J)[:, columns].max(axis=0).min() for _, wrong in WRONG]
-    return min(changes) > SHOWS and bool((np.linalg.norm(J[:3, :5], axis=0) > SHOWS).all())
+    for _, wrong in WRONG:
+        changes = np.abs(wrong(arm) - J)[:, columns].max(axis=0)
+        if not changes.min() > SHOWS:
+            return False
+
+    sizes = np.linalg.norm(J[:3, :5], axis=0)  # that of joint 6 is zero: the hand lies on its axis
+    return bool((sizes > SHOWS).all())

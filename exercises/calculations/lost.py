@@ -1,6 +1,7 @@
-"""What a singular posture loses: directions that no rates reach, rates that move nothing, twists that are out of reach.
+"""What a singular posture loses: directions out of reach, and joint rates that move nothing.
 
-A block (m, n) of J may be rounded or a student's own: its smallest singular value counts as zero, whatever it is.
+A block (m, n) of J may be rounded or a student's own: its smallest singular value counts as zero,
+whatever it is.
 """
 
 from collections.abc import Iterable
@@ -14,7 +15,10 @@ from ..properties import parallel
 
 ZERO = 1e-3  # of the largest singular value: what is less counts as zero where q is rounded
 ANGLE = 5e-3  # largest angle to a lost direction [rad]
-STILL = "These are joint rates that move nothing (block times rates is zero); asked is the direction that no rates reach."
+STILL = (
+    "These are joint rates that move nothing (block times rates is zero); asked is the direction "
+    "that no rates reach."
+)
 
 
 def weakest(blocks: Iterable[Array]) -> Array:
@@ -34,7 +38,7 @@ def still_rates(block: Array) -> Array:
 
 
 def left_over(J: Array, xi: Array, *, zero: float = ZERO) -> Array:
-    """What the best joint rates miss of a twist (m,): J J+ xi - xi, its part along all that is lost.
+    """What the best joint rates miss of a twist (m,): J J+ xi - xi, its part along what is lost.
 
     Singular values up to `zero` times the largest count as zero.
     """
@@ -43,8 +47,13 @@ def left_over(J: Array, xi: Array, *, zero: float = ZERO) -> Array:
 
 
 def judged_lost(block: Array, value: Array, *, tolerance: float = ANGLE) -> Outcome:
-    """Right along the lost direction, with either sign and at any length; rates that move nothing are named."""
+    """Right along the lost direction, with either sign and at any length.
+
+    Rates that move nothing are named. `tolerance` [rad] is the largest angle to the direction.
+    """
     if parallel(value, lost_direction(block), tolerance):
         return Outcome(right=True)
-    is_still = len(value) == block.shape[1] and parallel(value, still_rates(block), tolerance)
-    return Outcome(right=False, finding=STILL if is_still else "")
+    may_be_rates = len(value) == block.shape[1]
+    if may_be_rates and parallel(value, still_rates(block), tolerance):
+        return Outcome(right=False, finding=STILL)
+    return Outcome(right=False)

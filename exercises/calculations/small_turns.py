@@ -1,7 +1,7 @@
-"""The rotation vector between two close frames, and the ways in which it is read wrongly off their rotations.
+"""The rotation vector between two close frames, and the ways in which it is misread.
 
-R1 and R2 (3, 3) are rotations before and after in base axes, which may be rounded; dw (3,) [rad] with R2 = R(dw) R1 has
-base axes, too.
+R1 and R2 (3, 3) are rotations before and after in base axes, which may be rounded; dw (3,) [rad]
+with R2 = R(dw) R1 has base axes, too.
 """
 
 from collections.abc import Callable
@@ -24,7 +24,7 @@ def rotation_vector(R: Array) -> Array:
     """Axis times angle of a rotation of less than a quarter turn, also where R is rounded."""
     w = 0.5 * opposite(R)
     sine = float(np.linalg.norm(w))
-    return w * (np.arcsin(min(sine, 1.0)) / sine)
+    return w * (np.arcsin(min(sine, 1.0)) / sine)  # rounding may lead beyond 1
 
 
 def between(R1: Array, R2: Array) -> Array:
@@ -41,9 +41,15 @@ def roll_pitch_yaw(R: Array) -> Array:
 TOOL_AXES = (
     "This is the rotation vector in axes of the tool frame; on which side of R1 does R(dw) stand?"
 )
-BACK = "This is the rotation vector of R2^T R1, the way back and in axes of the tool frame; which product is R(dw)?"
+BACK = (
+    "This is the rotation vector of R2^T R1, the way back and in axes of the tool frame; which "
+    "product is R(dw)?"
+)
 TWICE = "It is twice too long: each difference of opposite entries counts half."
-DIFFERENCES = "These are differences of roll, pitch and yaw angles; in space no three angles have dw as their changes."
+DIFFERENCES = (
+    "These are differences of roll, pitch and yaw angles; in space no three angles have dw as "
+    "their changes."
+)
 ANGLES = (
     "These are roll, pitch and yaw of R2 R1^T: that is the rotation vector to first order only."
 )
@@ -67,5 +73,7 @@ MISREAD: tuple[tuple[str, Callable[[Array, Array], Array]], ...] = (
 
 
 def the_way_back(dw: Array, value: Array) -> Outcome | None:
-    """Says that an answer turns from frame 2 to frame 1; right and wrong stay with the tolerance."""
-    return Outcome(reading=THE_WAY_BACK) if np.abs(value + dw).max() <= TOLERANCE else None
+    """Says that an answer turns from frame 2 to frame 1; the tolerance says whether it is right."""
+    if np.abs(value + dw).max() > TOLERANCE:
+        return None
+    return Outcome(reading=THE_WAY_BACK)

@@ -1,6 +1,7 @@
-"""The six rows of a Jacobian, a twist or a wrench as a sheet has them: their order, names and units.
+"""The six rows of a Jacobian, a twist or a wrench on a sheet: their order, names and units.
 
-The engine counts vx, vy, vz, wx, wy, wz from 0 and has the linear rows on top; a sheet may have the angular ones there.
+The engine counts vx, vy, vz, wx, wy, wz from 0 and has the linear rows on top; a sheet may have the
+angular ones there.
 """
 
 from collections.abc import Sequence
@@ -10,17 +11,28 @@ from ..exercise import ExerciseError, Rows
 
 Chosen = Literal["all", "linear", "angular", "task"] | Sequence[int]
 """Which rows are asked: a block, the rows of the robot's task, or rows of the engine."""
-BLOCKS: dict[str, tuple[int, ...]] = {"linear": (0, 1, 2), "angular": (3, 4, 5)}
+Prescribed = tuple[int, ...]
+"""Indices of the rows of a twist that a wish prescribes."""
+LINEAR: Prescribed = (0, 1, 2)
+ANGULAR: Prescribed = (3, 4, 5)
+WHOLE = LINEAR + ANGULAR
+BLOCKS: dict[str, tuple[int, ...]] = {"linear": LINEAR, "angular": ANGULAR}
 ORDERS: dict[Rows, tuple[int, ...]] = {
-    "linear, angular": (0, 1, 2, 3, 4, 5),
-    "angular, linear": (3, 4, 5, 0, 1, 2),
+    "linear, angular": WHOLE,
+    "angular, linear": ANGULAR + LINEAR,
 }
 WORDS: dict[Rows, str] = {
     "linear, angular": "linear rows above angular rows",
     "angular, linear": "angular rows above linear rows",
 }
+
 VELOCITIES = ("v_x", "v_y", "v_z", r"\omega_x", r"\omega_y", r"\omega_z")
 LOADS = ("f_x", "f_y", "f_z", "m_x", "m_y", "m_z")
+VELOCITY_UNITS = ("m/s", "m/s", "m/s", "rad/s", "rad/s", "rad/s")
+LOAD_UNITS = ("N", "N", "N", "N m", "N m", "N m")
+COLUMN_UNITS = {"R": "m/rad", "P": "1"}  # of linear rows, by joint type
+RATE_UNITS = {"R": "rad/s", "P": "m/s"}
+TORQUE_UNITS = {"R": "N m", "P": "N"}
 
 
 def rows_on_sheet(chosen: Chosen, rows: Rows, task: Sequence[int]) -> list[int]:
@@ -29,8 +41,12 @@ def rows_on_sheet(chosen: Chosen, rows: Rows, task: Sequence[int]) -> list[int]:
     Raises:
         ExerciseError: it names no rows.
     """
-    blocks = {**BLOCKS, "all": range(6), "task": task}
-    wanted = blocks.get(chosen, ()) if isinstance(chosen, str) else chosen
+    if isinstance(chosen, str):
+        blocks = {**BLOCKS, "all": range(6), "task": task}
+        wanted = blocks.get(chosen, ())
+    else:
+        wanted = chosen
+
     found = [row for row in ORDERS[rows] if row in wanted]
     if not found or len(found) != len(wanted):
         raise ExerciseError(
@@ -41,7 +57,8 @@ def rows_on_sheet(chosen: Chosen, rows: Rows, task: Sequence[int]) -> list[int]:
 
 def listed(symbols: Sequence[str], rows: Sequence[int]) -> str:
     """LaTeX of the names of rows, such as $(v_x, v_y)$."""
-    return f"$({', '.join(symbols[row] for row in rows)})$"
+    names = ", ".join(symbols[row] for row in rows)
+    return f"$({names})$"
 
 
 def described(rows: Sequence[int], order: Rows) -> str:
@@ -52,25 +69,31 @@ def described(rows: Sequence[int], order: Rows) -> str:
 
 
 def jacobian_units(rows: Sequence[int], kinds: str) -> list[list[str]]:
-    """Units of J (m, n): metres a radian for a revolute column's linear rows, plain numbers elsewhere."""
-    return [["m/rad" if row < 3 and kind == "R" else "1" for kind in kinds] for row in rows]
+    """Units of J (m, n): metres a radian in a revolute column's linear rows, else plain numbers."""
+    units: list[list[str]] = []
+    for row in rows:
+        if row in LINEAR:
+            units.append([COLUMN_UNITS[kind] for kind in kinds])
+        else:
+            units.append(["1"] * len(kinds))
+    return units
 
 
 def twist_units(rows: Sequence[int]) -> list[str]:
     """Units of the rows of a twist."""
-    return ["m/s" if row < 3 else "rad/s" for row in rows]
+    return [VELOCITY_UNITS[row] for row in rows]
 
 
 def wrench_units(rows: Sequence[int]) -> list[str]:
     """Units of the rows of a wrench."""
-    return ["N" if row < 3 else "N m" for row in rows]
+    return [LOAD_UNITS[row] for row in rows]
 
 
 def rate_units(kinds: str) -> list[str]:
     """Units of joint rates."""
-    return ["rad/s" if kind == "R" else "m/s" for kind in kinds]
+    return [RATE_UNITS[kind] for kind in kinds]
 
 
 def torque_units(kinds: str) -> list[str]:
     """Units of joint torques, and of forces along slides."""
-    return ["N m" if kind == "R" else "N" for kind in kinds]
+    return [TORQUE_UNITS[kind] for kind in kinds]

@@ -1,4 +1,4 @@
-"""What the names on a sheet stand for: settled when an exercise file loads, filled in when a student is marked."""
+"""What names on a sheet stand for: settled when a file loads, filled in for every student."""
 
 import inspect
 from collections.abc import Callable, Collection, Mapping
@@ -37,12 +37,15 @@ class Bound:
         return any(parameter.source == name for parameter in self.parameters)
 
     def __call__(self, names: "Names", v: Variant, answers: Mapping[str, Any]) -> Any:
-        """The function's value for a student's numbers `v` and for `answers`, by the names of the parts.
+        """The function's value for a student's numbers `v` and for `answers`, by names of parts.
 
         Raises:
             ExerciseError: a number that this variant lacks is taken without a default.
         """
-        return self.function(**{p.name: names.value(p, v, answers) for p in self.parameters})
+        values: dict[str, Any] = {}
+        for parameter in self.parameters:
+            values[parameter.name] = names.value(parameter, v, answers)
+        return self.function(**values)
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,10 +63,11 @@ class Names:
         answers: Collection[str] = (),
         renamed: Mapping[str, str] | None = None,
     ) -> Bound:
-        """The function with its parameters settled: drawn numbers, `v` for all of them, `arm`, or one of `answers`.
+        """The function with its parameters settled.
 
-        `renamed` are parameters that stand for another name. A keyword-only parameter with a default is no name but a
-        constant of the function.
+        Each is a drawn number, `v` for all of them, `arm`, or one of `answers`. `renamed` are
+        parameters that stand for another name. A keyword-only parameter with a default is no name
+        but a constant of the function.
 
         Raises:
             ExerciseError: a parameter stands for nothing; the sentence has the nearest name.
@@ -71,19 +75,28 @@ class Names:
         known = {*self.drawn, *answers, "v"}
         if self.arm:
             known.add("arm")
+
         found: list[Parameter] = []
         for parameter in _signature(function, f"exercise {self.slug}: {what}"):
             source = (renamed or {}).get(parameter.name, parameter.name)
             if source in known:
                 found.append(Parameter(parameter.name, source, parameter.default))
-            elif parameter.kind is not parameter.KEYWORD_ONLY or parameter.default is NOTHING:
+                continue
+            is_constant = parameter.kind is parameter.KEYWORD_ONLY  # behind the * of a signature
+            if not is_constant or parameter.default is NOTHING:
                 raise ExerciseError(
                     f"exercise {self.slug}: {what} takes {source!r}, {self._unknown(source, known)}"
                 )
         return Bound(function, tuple(found))
 
     def value(self, parameter: Parameter, v: Variant, answers: Mapping[str, Any]) -> Any:
-        """What a parameter stands for on one student's sheet; a drawn list of numbers comes as an array."""
+        """What a parameter stands for on one student's sheet.
+
+        A drawn list of numbers comes as an array.
+
+        Raises:
+            ExerciseError: a number that this variant lacks is taken without a default.
+        """
         name = parameter.source
         if name in answers:
             return answers[name]
@@ -95,16 +108,18 @@ class Names:
             return self.arm(v)
         if parameter.default is NOTHING:
             raise ExerciseError(
-                f"exercise {self.slug}: {name} is not among the numbers of this variant; a number that only some "
-                f"variants have takes a default: {name}=0.0"
+                f"exercise {self.slug}: {name} is not among the numbers of this variant; a number "
+                f"that only some variants have takes a default: {name}=0.0"
             )
         return parameter.default
 
     def _unknown(self, name: str, known: Collection[str]) -> str:
         if name == "arm":
             return "but the exercise has no robot"
-        hints = [did_you_mean(name, known), f"here stand: {', '.join(sorted(known))}"]
-        return f"which is no name on the sheet; {' '.join(filter(None, hints))}"
+        listed = f"here stand: {', '.join(sorted(known))}"
+        near = did_you_mean(name, known)
+        hints = f"{near} {listed}" if near else listed
+        return f"which is no name on the sheet; {hints}"
 
 
 def as_array(value: Any) -> Any:
@@ -121,7 +136,10 @@ def _is_numeric(value: Any) -> bool:
     if not isinstance(value, list):
         return False
     items = cast("list[Any]", value)
-    return bool(items) and all(isinstance(item, int | float) or _is_numeric(item) for item in items)
+    for item in items:
+        if not isinstance(item, int | float) and not _is_numeric(item):
+            return False
+    return bool(items)
 
 
 def _signature(function: Function, what: str) -> list[inspect.Parameter]:
@@ -131,6 +149,7 @@ def _signature(function: Function, what: str) -> list[inspect.Parameter]:
         raise ExerciseError(
             f"{what} takes a function of names on the sheet, got {function!r}"
         ) from None
+
     for parameter in parameters:
         if parameter.kind not in (parameter.POSITIONAL_OR_KEYWORD, parameter.KEYWORD_ONLY):
             raise ExerciseError(

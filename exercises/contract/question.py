@@ -1,8 +1,9 @@
-"""A part as an exercise file writes it, and what the sheet, the marking and the solution make of it."""
+"""A part as an exercise file writes it, and what sheet, marking and solution make of it."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from itertools import chain
 from typing import Any
 
 from ..answers import Answer, Variant
@@ -18,9 +19,9 @@ Wrong = tuple[str, Function]
 class Question:
     """A part before it is on a sheet: its function, and the functions that belong to it.
 
-    `docstring` stands for that of a function that is made for a robot (questions/).
-    `options` are `follow`, `credit`, `tolerance` and `asked` of `Part`; `renamed` are parameters that stand for another
-    name on the sheet.
+    `docstring` stands for that of a function that is made for a robot (questions/). `options` are
+    `follow`, `credit`, `tolerance` and `asked` of `Part`; `renamed` are parameters that stand for
+    another name on the sheet.
     """
 
     solve: Function
@@ -39,7 +40,10 @@ class Question:
         return self.solve(*values, **named)
 
     def called(self, name: str, **renamed: str) -> "Question":
-        """The same part under another name; `renamed` are parameters that stand for other names on that sheet."""
+        """The same part under another name.
+
+        `renamed` are parameters that stand for other names on that sheet.
+        """
         return replace(self, name=name, renamed={**self.renamed, **renamed})
 
     def worth(self, points: float) -> "Question":
@@ -67,6 +71,8 @@ def put_on_sheet(question: Question, names: Names, earlier: Sequence[str]) -> Pa
 
 @dataclass(frozen=True, eq=False)
 class _Placed:
+    """A question among the names and the earlier parts of its sheet."""
+
     question: Question
     names: Names
     earlier: tuple[str, ...]
@@ -114,13 +120,17 @@ class _Placed:
         return self.names.bound(function, what, answers, self.question.renamed)
 
     def _marking(self, function: Function, what: str, *more: str) -> Bound:
-        """A function that is called while the part is marked: it has what the part itself takes, and no other part."""
+        """A function that is called while the part is marked.
+
+        It has what the part itself takes, and no other part.
+        """
         bound = self._bound(function, f"{what} of {self.own}", (*self.earlier, self.own, *more))
         for name in self.earlier:
             if bound.takes(name) and name not in self.needs:
                 raise ExerciseError(
-                    f"exercise {self.names.slug}: {what} of {self.own} takes {name!r}, which {self.own} itself does "
-                    f"not take: what a part needs stands among its own parameters"
+                    f"exercise {self.names.slug}: {what} of {self.own} takes {name!r}, which "
+                    f"{self.own} itself does not take: what a part needs stands among its own "
+                    "parameters"
                 )
         return bound
 
@@ -157,18 +167,14 @@ class _Placed:
     ) -> Callable[[Variant, Given], Sequence[Any]] | None:
         if not solution:
             return None
+
         known = (*self.earlier, self.own)
-        shows = {
-            name: self._bound(function, f"{name!r}, shown in the solution of {self.own},", known)
-            for name, function in self.question.shows.items()
-        }
-        values = {*shows, *known, *self.names.drawn}
-        for place in (place for paragraph in solution for place in paragraph.places):
-            if place not in values:
-                raise ExerciseError(
-                    f"exercise {self.names.slug}: the solution of {self.own} shows <{place}>, which is no value here; "
-                    f"there are: {', '.join(sorted(values))}"
-                )
+        shows: dict[str, Bound] = {}
+        for name, function in self.question.shows.items():
+            what = f"{name!r}, shown in the solution of {self.own},"
+            shows[name] = self._bound(function, what, known)
+        computed = {*shows, *known}
+        self._check_places(solution, computed | self.names.drawn)
 
         def explain(v: Variant, given: Given) -> Sequence[Any]:
             answers = self._answers(known, given)
@@ -178,7 +184,16 @@ class _Placed:
                     return shows[name](self.names, v, answers)
                 return answers[name] if name in answers else v[name]
 
-            drawn = {name: x for name, x in v.items() if name not in shows and name not in known}
-            return [*steps(solution, value, drawn)]
+            printed = {name: x for name, x in v.items() if name not in computed}
+            return [*steps(solution, value, printed)]
 
         return explain
+
+    def _check_places(self, solution: Sequence[Paragraph], values: Collection[str]) -> None:
+        places = chain.from_iterable(paragraph.places for paragraph in solution)
+        for place in places:
+            if place not in values:
+                raise ExerciseError(
+                    f"exercise {self.names.slug}: the solution of {self.own} shows <{place}>, "
+                    f"which is no value here; there are: {', '.join(sorted(values))}"
+                )

@@ -1,14 +1,15 @@
 r"""A part's docstring: question, hints and worked solution, with places for what is computed.
 
-    The angular velocity of the hand, in rad/s               the question, up to the first blank line
+    The angular velocity of the hand, in rad/s             the question, up to the first blank line
 
-    - Which joints turn?                                      hints
+    - Which joints turn?                                   hints
 
-    Every revolute joint turns the hand about its axis:       paragraphs of the solution;
-    $$\boldsymbol\omega = <omega>$$                           a last line of this form shows a value
-    The sense is <sense>.                                     a value that is text may stand anywhere
+    Every revolute joint turns the hand about its axis:    paragraphs of the solution;
+    $$\boldsymbol\omega = <omega>$$                        a last line of this form shows a value
+    The sense is <sense>.                                  a value that is text may stand anywhere
 
-A value is that of the part itself, of an earlier one, of a drawn number, or of one of the part's `shows`.
+A value is that of the part itself, of an earlier one, of a drawn number, or of one of the part's
+`shows`.
 """
 
 import inspect
@@ -16,12 +17,13 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from importlib import import_module
+from itertools import chain
 from typing import Any, cast
 
 from ...solutions.condition import Condition, condition_sympy
 from ...solutions.expression import Expression
 from ...solutions.expression_array import ExpressionArray
-from ...solutions.table import Table
+from ...solutions.table import COLUMNS, Table
 from ..exercise import ExerciseError, Step
 
 PLACE = re.compile(r"<([A-Za-z_]\w*)>")
@@ -41,7 +43,10 @@ class Paragraph:
     @property
     def places(self) -> list[str]:
         """Names whose values stand in it."""
-        return [*PLACE.findall(self.text + self.symbol), *([self.shown] if self.shown else [])]
+        names = PLACE.findall(self.text + self.symbol)
+        if self.shown:
+            names.append(self.shown)
+        return names
 
 
 @dataclass(frozen=True)
@@ -60,7 +65,8 @@ def read_docstring(text: str) -> Docstring:
     solution: list[Paragraph] = []
     for block in blocks[1:]:
         if block.startswith("- "):
-            hints += [_joined(hint) for hint in re.split(r"^- ", block, flags=re.MULTILINE)[1:]]
+            listed = re.split(r"^- ", block, flags=re.MULTILINE)[1:]
+            hints += map(_joined, listed)
         else:
             solution.append(_paragraph(block))
     return Docstring(_joined(blocks[0]), tuple(hints), tuple(solution))
@@ -71,9 +77,8 @@ def _paragraph(block: str) -> Paragraph:
     shown = SHOWN.fullmatch(last.strip())
     if shown is None:
         return Paragraph(_joined(block))
-    return Paragraph(
-        _joined("\n".join(lines)), shown[1].strip().removesuffix("=").strip(), shown[2]
-    )
+    symbol = shown[1].strip().removesuffix("=").strip()
+    return Paragraph(_joined("\n".join(lines)), symbol, shown[2])
 
 
 def _joined(text: str) -> str:
@@ -83,7 +88,9 @@ def _joined(text: str) -> str:
 def steps(
     paragraphs: tuple[Paragraph, ...], value: Value, given: Mapping[str, Any]
 ) -> Iterator[Step]:
-    """The worked solution with its values; those of the drawn numbers in `given` are shown as the sheet prints them.
+    """The worked solution with its values.
+
+    Those of the drawn numbers in `given` are shown as the sheet prints them.
 
     Raises:
         ExerciseError: a value cannot stand in its place.
@@ -94,14 +101,18 @@ def steps(
         if not shown:
             yield Step(text)
             continue
-        decimals = digits(given[shown]) if shown in given else None
+
+        decimals: int | None = None
+        if shown in given:
+            decimals = digits(given[shown])
         yield from _displayed(text, _filled(paragraph.symbol, value), value(shown), decimals)
 
 
 def digits(printed: Any) -> int:
     """The most decimals of any number in a drawn value."""
     if isinstance(printed, list):
-        return max((digits(item) for item in cast("list[Any]", printed)), default=0)
+        items = cast("list[Any]", printed)
+        return max(map(digits, items), default=0)
     return len(str(printed).partition(".")[2])
 
 
@@ -126,6 +137,7 @@ def _displayed(text: str, symbol: str, value: Any, decimals: int | None) -> Iter
         for condition in cast("tuple[Condition, ...]", value):
             yield Step("", symbol, condition_sympy(condition))
         return
+
     formula = formula_of(value)
     if formula is not None:
         yield Step(text, symbol, formula)
@@ -137,7 +149,9 @@ def formula_of(value: Any) -> Any:
     """Sympy of formulas, of a table or of sympy itself; None for numbers."""
     if isinstance(value, Table):
         sympy: Any = import_module("sympy")
-        return sympy.Matrix([[cell.sympy() for cell in row] for row in value.rows])
+        # row by row, as sympy takes a matrix of this shape
+        cells = [cell.sympy() for cell in chain.from_iterable(value.rows)]
+        return sympy.Matrix(len(value.rows), len(COLUMNS), cells)
     if isinstance(value, Expression | ExpressionArray):
         return value.sympy()
     return value if hasattr(value, "free_symbols") else None

@@ -1,1 +1,1 @@
-"""The kinds of answers, one file a kind: what is asked, brought to its kind, pictured as numbers, written down."""
+"""The kinds of answers, one file a kind: asked, brought to their kind, pictured, written down."""

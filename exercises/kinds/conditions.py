@@ -26,9 +26,10 @@ from .kind import Kind, ValueKindError, Variant, listed_rows
 class Conditions(Kind):
     """Equations in `names`, such as sin(q2) = 0, all solutions of which are asked.
 
-    `domain(v)` gives the range of every joint within which solutions count. Its value is a tuple of `Condition`s: an
-    `Expression` that is zero where it holds, or `AllOf` several that hold at once. `solve` may return their texts,
-    such as "sin(q2)" or "sin(q2) = 0 and sin(q3) = 0", and tuples of texts or Expressions that hold at once.
+    `domain(v)` gives the range of every joint within which solutions count. Its value is a tuple of
+    `Condition`s: an `Expression` that is zero where it holds, or `AllOf` several that hold at once.
+    `solve` may return their texts, such as "sin(q2)" or "sin(q2) = 0 and sin(q3) = 0", and tuples
+    of texts or Expressions that hold at once.
     """
 
     names: tuple[str, ...]
@@ -52,24 +53,33 @@ class Conditions(Kind):
     def declared(self, value: Any, v: Variant) -> tuple[Condition, ...]:
         """A tuple of conditions."""
         names = names_on_sheet(self.names, v)
-        entries: Sequence[Any] = [value] if isinstance(value, str | Expression | AllOf) else value
-        return tuple(condition for entry in entries for condition in _conditions(entry, names))
+        entries: Sequence[Any] = value
+        if isinstance(value, str | Expression | AllOf):
+            entries = [value]
+
+        found: list[Condition] = []
+        for entry in entries:
+            found.extend(_conditions(entry, names))
+        return tuple(found)
 
     def pictured(self, value: Sequence[Condition], v: Variant) -> NDArray[np.float64]:
-        """A row (3,) for every equation; before those that hold at once, a row that says how many."""
+        """A row (3,) for every equation; above those that hold at once, a row with their number."""
         joints = [name for name in self.names if JOINT.fullmatch(name)]
         values: dict[str, Any] = {**v, **sample(joints, PICTURES)}
+
         rows = list[Any]()
         for condition in value:
             equations = equations_of(condition)
             if len(equations) > 1:
-                rows.append(float(len(equations)))
-            rows += [equation.at(values) for equation in equations]
-        return np.array([np.broadcast_to(row, PICTURES) for row in rows], dtype=float)
+                rows.append(np.full(PICTURES, len(equations)))
+            for equation in equations:
+                rows.append(np.broadcast_to(equation.at(values), PICTURES))
+        return np.array(rows, dtype=float)
 
     def code(self, variable: str, value: Sequence[Condition]) -> str:
         """A list of text."""
-        return f"{variable} = {listed_rows(list(map(condition_text, value)))}"
+        texts = [condition_text(condition) for condition in value]
+        return f"{variable} = {listed_rows(texts)}"
 
     def matlab(self, stacked: str) -> tuple[str, str]:
         """A cell array of text."""
@@ -77,21 +87,26 @@ class Conditions(Kind):
 
 
 def _conditions(entry: Any, names: tuple[str, ...]) -> Sequence[Condition]:
-    """What `solve` returns as one: a condition, the text of one or several, or a tuple of what holds at once."""
+    """The conditions of one entry of what `solve` returns.
+
+    It is a condition, the text of one or several, or a tuple of what holds at once.
+    """
     if isinstance(entry, Expression | AllOf):
         return [entry]
     if isinstance(entry, list | tuple):
-        return [all_of([_equation(one, names) for one in cast("Sequence[Any]", entry)])]
+        at_once = cast("Sequence[Any]", entry)
+        return [all_of([_equation(one, names) for one in at_once])]
     return read_conditions(entry, names)
 
 
 def _equation(entry: Any, names: tuple[str, ...]) -> Expression:
     """One of the equations that hold at once."""
-    found = [
-        equation for condition in _conditions(entry, names) for equation in equations_of(condition)
-    ]
+    found: list[Expression] = []
+    for condition in _conditions(entry, names):
+        found.extend(equations_of(condition))
     if len(found) != 1:
         raise ValueKindError(
-            f"takes one equation in each place of a tuple that holds at once, got {str(entry)[:60]!r}"
+            "takes one equation in each place of a tuple that holds at once, got "
+            f"{str(entry)[:60]!r}"
         )
     return found[0]

@@ -14,9 +14,9 @@ from .kind import Kind, ValueKindError, Variant, array_code, finite
 class Configurations(Kind):
     """A list of up to `most` configurations of `joints` numbers each, judged by the part's `check`.
 
-    Its value is an array (m, joints); with one joint a plain list is read too. How many rows there are is not said on
-    the sheet. `in_order` are rows that follow one another, such as the iterates of a method; without, a sheet says
-    that a wrong one costs a right one.
+    Its value is an array (m, joints); with one joint a plain list is read too. How many rows there
+    are is not said on the sheet. `in_order` are rows that follow one another, such as the iterates
+    of a method; without, a sheet says that a wrong one costs a right one.
     """
 
     joints: int
@@ -28,9 +28,9 @@ class Configurations(Kind):
     @property
     def form(self) -> str:
         """A list of numbers or of rows."""
-        return (
-            "a list of numbers" if self.joints == 1 else f"a list of rows of {self.joints} numbers"
-        )
+        if self.joints == 1:
+            return "a list of numbers"
+        return f"a list of rows of {self.joints} numbers"
 
     @property
     def self_check(self) -> tuple[str, Any]:
@@ -70,6 +70,8 @@ class Configurations(Kind):
 
     def matlab(self, stacked: str) -> tuple[str, str]:
         """A matrix."""
-        numbers = "1 number" if self.joints == 1 else f"{self.joints} numbers"
+        numbers = "1 number"
+        if self.joints != 1:
+            numbers = f"{self.joints} numbers"
         each = "step, in their order" if self.in_order else "configuration"
         return "[]", f"a row of {numbers} for every {each}; {self.decimals} decimals"

@@ -16,9 +16,10 @@ PICTURES = 3  # points at which formulas are recorded
 
 @dataclass(frozen=True)
 class Formulas(Kind):
-    """Formulas of `shape` (), (n,) or (m, n) in `names`; names that a variant lacks are unknown on its sheet.
+    """Formulas of `shape` (), (n,) or (m, n) in `names`.
 
-    Joints are called q1 ... qn and need no number of their own. Its value is an `ExpressionArray`.
+    Names that a variant lacks are unknown on its sheet. Joints are called q1 ... qn and need no
+    number of their own. Its value is an `ExpressionArray`.
     """
 
     shape: tuple[int, ...]
@@ -54,12 +55,15 @@ class Formulas(Kind):
     def code(self, variable: str, value: ExpressionArray) -> str:
         """Text, a line for every row."""
         text: Any = value.text()
-        return f"{variable} = {listed_rows(text) if self.shape else repr(text)}"
+        if not self.shape:
+            return f"{variable} = {text!r}"
+        return f"{variable} = {listed_rows(text)}"
 
     def matlab(self, stacked: str) -> tuple[str, str]:
         """Text."""
-        shape = sized(self.shape, "formula") if self.shape else "a formula"
-        whole = "a symbolic matrix" if self.shape else "a symbolic one"
+        shape, whole = "a formula", "a symbolic one"
+        if self.shape:
+            shape, whole = sized(self.shape, "formula"), "a symbolic matrix"
         return "''", f"{shape} as text: '...', or char(...) of {whole}"
 
 

@@ -9,6 +9,7 @@ import textwrap
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import wraps
+from itertools import chain
 from typing import Any
 
 import numpy as np
@@ -22,14 +23,16 @@ from .kind import Kind, ValueKindError, Variant
 class Function(Kind):
     """A Python function, called on inputs that the student has not seen.
 
-    `signature` is its head without the name of the variable, such as "(q)". `inputs(v)` are the arguments by group: a
-    tuple for every call, of numbers, text, and lists and dicts of them. Numbers in equal rows arrive as float arrays,
-    inside dicts and lists too; other lists stay lists. The reference, which is a function too, gets the same.
+    `signature` is its head without the name of the variable, such as "(q)". `inputs(v)` are the
+    arguments by group: a tuple for every call, of numbers, text, and lists and dicts of them.
+    Numbers in equal rows arrive as float arrays, inside dicts and lists too; other lists stay
+    lists. The reference, which is a function too, gets the same.
 
-    An answer agrees within `tolerance` of the reference; a part's own `check` gets `Results` and judges instead. A
-    group of calls is one item of the feedback and earns its share when all of it is right. Where all its results are
-    alike, such as zeros, it does so only beside a right result of another kind: a constant function earns nothing.
-    `published(v)` are the calls whose results a student without Python hands in.
+    An answer agrees within `tolerance` of the reference; a part's own `check` gets `Results` and
+    judges instead. A group of calls is one item of the feedback and earns its share when all of it
+    is right. Where all its results are alike, such as zeros, it does so only beside a right result
+    of another kind: a constant function earns nothing. `published(v)` are the calls whose results a
+    student without Python hands in.
     """
 
     signature: str
@@ -49,13 +52,13 @@ class Function(Kind):
 
     def calls(self, v: Variant) -> list[tuple[Any, ...]]:
         """The arguments of all calls, group after group."""
-        return [call for group in self.inputs(v).values() for call in group]
+        return [*chain.from_iterable(self.inputs(v).values())]
 
     def published_calls(self, v: Variant) -> list[tuple[Any, ...]]:
-        """The arguments of the calls whose results may be handed in without a function; none where none are."""
+        """The arguments of the calls whose results may be handed in without a function."""
         if self.published is None:
             return []
-        return [call for group in self.published(v).values() for call in group]
+        return [*chain.from_iterable(self.published(v).values())]
 
     def declared(self, value: Any, v: Variant) -> Callable[..., Any]:
         """The function, which gets its arguments as a student's function gets them."""
@@ -70,8 +73,11 @@ class Function(Kind):
 
     def pictured(self, value: Callable[..., Any], v: Variant) -> NDArray[np.float64]:
         """Results for the first call of every group, one after the other."""
-        calls = [group[0] for group in self.inputs(v).values()]
-        return np.concatenate([np.asarray(value(*call), dtype=float).ravel() for call in calls])
+        results: list[NDArray[np.float64]] = []
+        for group in self.inputs(v).values():
+            result = value(*group[0])
+            results.append(np.asarray(result, dtype=float).ravel())
+        return np.concatenate(results)
 
     def blank(self, variable: str) -> str:
         """A head without a body."""
@@ -80,11 +86,15 @@ class Function(Kind):
     def code(self, variable: str, value: Callable[..., Any]) -> str:
         """Its source under the variable's name; it takes numpy as np and nothing else.
 
-        What has no source of its own, such as a lambda, is a comment: `unprintable` says what would be right.
+        What has no source of its own, such as a lambda, is a comment: `unprintable` says what would
+        be right.
         """
         definition = _definition(value)
         if definition is None:
-            return f"# {variable}: the reference function is not written with def, so it cannot be printed."
+            return (
+                f"# {variable}: the reference function is not written with def, "
+                "so it cannot be printed."
+            )
         source, name = definition
         return re.sub(rf"\Adef\s+{name}\b", f"def {variable}", source)
 
@@ -97,16 +107,22 @@ class Function(Kind):
         """Why the worked solution would not run on a sheet; empty when it would."""
         definition = _definition(value)
         if definition is None:
-            return "the reference function cannot be printed as the worked solution: it takes a def of its own, no lambda"
+            return (
+                "the reference function cannot be printed as the worked solution: "
+                "it takes a def of its own, no lambda"
+            )
         missing = _missing_names(self.code(variable, value), variable)
         if not missing:
             return ""
+
         *first, last = missing
-        said = f"{', '.join(first)} and {last}" if first else last
+        said = last
+        if first:
+            said = f"{', '.join(first)} and {last}"
         return (
-            f"the reference function {definition[1]} uses {said}, which its worked solution does not have: printed on "
-            "a sheet it knows numpy as np and nothing else, so define helpers inside it and hand over numbers as "
-            "arguments"
+            f"the reference function {definition[1]} uses {said}, which its worked solution does "
+            "not have: printed on a sheet it knows numpy as np and nothing else, so define helpers "
+            "inside it and hand over numbers as arguments"
         )
 
 
@@ -117,15 +133,16 @@ def _definition(function: Callable[..., Any]) -> tuple[str, str] | None:
         tree = ast.parse(source)
     except (OSError, TypeError, SyntaxError):
         return None
-    first = tree.body[0] if tree.body else None
-    if not isinstance(first, ast.FunctionDef):
+    if not tree.body or not isinstance(tree.body[0], ast.FunctionDef):
         return None
+
+    first = tree.body[0]
     lines = source.splitlines()[first.lineno - 1 :]  # decorators are left out
     return "\n".join(lines), first.name
 
 
 def _missing_names(code: str, variable: str) -> list[str]:
-    """Names that some code reads and neither sets nor has as a builtin, in the order of the alphabet."""
+    """Names that some code reads and neither sets nor has as a builtin, sorted."""
     table = symtable.symtable(code, "<worked solution>", "exec")
     known = {*dir(builtins), "np", variable}
     return sorted(_read_globals(table) - known)

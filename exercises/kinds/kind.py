@@ -1,4 +1,4 @@
-"""What every kind of answer brings: its words on a sheet, and its values checked, pictured and written down."""
+"""What every kind of answer brings: its words on a sheet; its values checked and written down."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -17,9 +17,10 @@ class ValueKindError(KinegradeError):
 
 
 class Kind:
-    """A kind of answer: data that an exercise declares, and what a sheet, a record and a proof ask of it.
+    """A kind of answer: data that an exercise declares.
 
-    A new kind is a file here and one in grader/kinds. What is the same for most kinds stands in this class.
+    Its methods are what a sheet, a record and a proof ask of it. A new kind is a file here and one
+    in grader/kinds. What is the same for most kinds stands in this class.
     """
 
     @property
@@ -29,7 +30,10 @@ class Kind:
 
     @property
     def self_check(self) -> tuple[str, Any]:
-        """What the cell that checks a sheet without this package looks for: a word and a shape or a count."""
+        """What the cell looks for that checks a sheet without this package.
+
+        It is a word and a shape or a count.
+        """
         raise NotImplementedError
 
     @property
@@ -43,7 +47,9 @@ class Kind:
         return ()
 
     def declared(self, value: Any, v: Variant) -> Any:
-        """The value as its kind: an array, `Table`, `ExpressionArray`, letter, tuple of conditions, function, text.
+        """The value as its kind.
+
+        That is an array, `Table`, `ExpressionArray`, letter, tuple of conditions, function or text.
 
         Raises:
             ValueKindError: it is none; the sentence says what it takes.
@@ -68,7 +74,10 @@ class Kind:
         return f"{variable} = {value!r}"
 
     def matlab(self, stacked: str) -> tuple[str, str]:
-        """An empty value in MATLAB and the comment behind it; `stacked` says which rows of a Jacobian come first."""
+        """An empty value in MATLAB and the comment behind it.
+
+        `stacked` says which rows of a Jacobian come first.
+        """
         raise NotImplementedError
 
 
@@ -76,7 +85,8 @@ def sized(shape: tuple[int, ...], what: str) -> str:
     """A shape in words: "3 x 2 numbers", "one number"."""
     if not shape:
         return f"one {what}"
-    return f"{' x '.join(map(str, shape))} {what}s"
+    size = " x ".join(map(str, shape))
+    return f"{size} {what}s"
 
 
 def listed_rows(rows: list[Any]) -> str:

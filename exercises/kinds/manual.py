@@ -10,7 +10,8 @@ from .kind import Kind, ValueKindError, Variant
 class Manual(Kind):
     """A sketch, derivation or argument, marked by hand: points and what earns them, line by line.
 
-    With `on_paper`, nothing is expected in the file. Its value is text: the marker's key as reference.
+    With `on_paper`, nothing is expected in the file. Its value is text: the marker's key as
+    reference.
     """
 
     rubric: tuple[tuple[float, str], ...]
@@ -19,7 +20,9 @@ class Manual(Kind):
     @property
     def form(self) -> str:
         """Where it stands."""
-        return "on paper" if self.on_paper else "your text in quotes; it is marked by hand"
+        if self.on_paper:
+            return "on paper"
+        return "your text in quotes; it is marked by hand"
 
     @property
     def self_check(self) -> tuple[str, Any]:
@@ -29,7 +32,9 @@ class Manual(Kind):
     @property
     def asked_beside(self) -> str:
         """That a person marks it."""
-        return "On paper, marked by hand." if self.on_paper else "Marked by hand."
+        if self.on_paper:
+            return "On paper, marked by hand."
+        return "Marked by hand."
 
     def declared(self, value: Any, v: Variant) -> str:
         """The marker's key."""

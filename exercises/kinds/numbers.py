@@ -12,9 +12,10 @@ from .kind import Kind, Variant, array_code, finite, sized
 
 @dataclass(frozen=True)
 class Numbers(Kind):
-    """A real array. `units` are nested strings that broadcast to `shape`; `decimals` are asked of the student.
+    """A real array.
 
-    Its value is an array of that shape; of shape () it is one number.
+    `units` are nested strings that broadcast to `shape`; `decimals` are asked of the student. Its
+    value is an array of that shape; of shape () it is one number.
     """
 
     shape: tuple[int, ...]
@@ -27,9 +28,12 @@ class Numbers(Kind):
 
     @property
     def has_blocks(self) -> bool:
-        """Whether there are six rows, three linear and three angular ones; six rates or torques [N m] are of joints."""
+        """Whether there are six rows, three linear and three angular ones."""
+        if self.shape[:1] != (6,):
+            return False
         units = {str(unit) for unit in self.unit_of_entries().ravel()}
-        return self.shape[:1] == (6,) and (len(units) > 1 or units == {"1"})
+        # six entries of one unit, such as rates or torques [N m], belong to six joints
+        return len(units) > 1 or units == {"1"}
 
     @property
     def form(self) -> str:
@@ -44,7 +48,9 @@ class Numbers(Kind):
     @property
     def asked_beside(self) -> str:
         """The decimals."""
-        return f"Give {self.decimals} decimals." if self.decimals else ""
+        if not self.decimals:
+            return ""
+        return f"Give {self.decimals} decimals."
 
     @property
     def array_shape(self) -> tuple[int, ...]:
@@ -72,9 +78,8 @@ class Numbers(Kind):
         decimals = f"{self.decimals} decimals"
         if len(self.shape) > 2:
             count, *inner = self.shape
-            matrices = (
-                f"{count} matrices of {' x '.join(map(str, inner))} numbers: {{first, second, ...}}"
-            )
+            size = " x ".join(map(str, inner))
+            matrices = f"{count} matrices of {size} numbers: {{first, second, ...}}"
             return "{}", f"{matrices}; {decimals}"
         rows = f", {stacked}" if self.has_blocks else ""
         return "[]", f"{self.form}{rows}; {decimals}"

@@ -14,13 +14,15 @@ NO_RESULT = "no result"
 
 @dataclass(frozen=True)
 class Results:
-    """The value that `Part.check` gets for an answer of kind `Function`: what came out, call by call.
+    """What came out, call by call: the value that `Part.check` gets for an answer `Function`.
 
-    `values` has a finite real array for every call, in the order of `Function.inputs`, group after group; where a call
-    gave none, it has the reason as a sentence, such as "ZeroDivisionError: division by zero". With `published` they are
-    results for the calls of `Function.published`, handed in without a function; then the order is theirs.
+    `values` has a finite real array for every call, in the order of `Function.inputs`, group after
+    group; where a call gave none, it has the reason as a sentence, such as "ZeroDivisionError:
+    division by zero". With `published` they are results for the calls of `Function.published`,
+    handed in without a function; then the order is theirs.
 
-    A check judges group by group: `Outcome(right=[True, False])` for two groups, or call by call with a list for each.
+    A check judges group by group: `Outcome(right=[True, False])` for two groups, or call by call
+    with a list for each.
     """
 
     values: tuple[Result, ...]
@@ -31,12 +33,15 @@ class Results:
 
         A result that is missing is the text "no result".
         """
-        found, start = dict[str, tuple[Result, ...]](), 0
+        found = dict[str, tuple[Result, ...]]()
+        start = 0
         for group, arguments in calls.items():
-            found[group] = _padded(self.values[start : start + len(arguments)], len(arguments))
-            start += len(arguments)
+            end = start + len(arguments)
+            found[group] = _padded(self.values[start:end], len(arguments))
+            start = end
         return found
 
 
 def _padded(results: Sequence[Result], length: int) -> tuple[Result, ...]:
-    return (*results, *[NO_RESULT] * (length - len(results)))
+    missing = [NO_RESULT] * (length - len(results))
+    return (*results, *missing)

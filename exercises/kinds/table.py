@@ -17,11 +17,12 @@ MATLAB_EXAMPLE = "{'q1 + pi', 0.25, 'd1', 'pi/3'; ...}"
 
 @dataclass(frozen=True)
 class TableOf(Kind):
-    """A Denavit-Hartenberg table with one row of theta, d, a, alpha per joint of `kinds`, such as "RRP".
+    """A Denavit-Hartenberg table: a row of theta, d, a, alpha per joint of `kinds`, such as "RRP".
 
-    Cells are expressions in `names` and q1 ... qn, or numbers; names that a variant lacks are unknown on its sheet.
-    Its value is a `Table`. A table that describes the same arm with frames placed otherwise is right, as far as `given`
-    leaves that open: the sheet says which of base frame, tool frame, positive senses and home pose it gives.
+    Cells are expressions in `names` and q1 ... qn, or numbers; names that a variant lacks are
+    unknown on its sheet. Its value is a `Table`. A table that describes the same arm with frames
+    placed otherwise is right, as far as `given` leaves that open: the sheet says which of base
+    frame, tool frame, positive senses and home pose it gives.
     """
 
     names: tuple[str, ...]

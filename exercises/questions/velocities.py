@@ -7,10 +7,10 @@ import numpy as np
 
 from ...solutions.jacobian import in_axes
 from ...solutions.jacobian import jacobian as jacobian_of
-from ...solutions.velocity import pseudoinverse
 from ..answers import Numbers
 from ..arm import Arm, Array
 from ..calculations.columns import SLIPS, TOOL_AXES, Slip, all_turning, late, late_axes, right
+from ..calculations.readings import SLACK, reaches, unique_or_least_rates
 from ..calculations.twists import (
     VELOCITIES,
     Chosen,
@@ -24,7 +24,6 @@ from ..calculations.twists import (
 from ..contract.question import Question, Wrong
 from ..exercise import ExerciseError, Outcome
 from ..part import Ready, Setting
-from ..properties import meets
 from .frames import filled
 
 Point = Literal["tool", "origin"] | int
@@ -78,7 +77,6 @@ WIDE = (
 )
 TRANSPOSED = "This comes from J transposed, which is no inverse: put the rates into J and look at the velocity they give."
 NORM = "These rates give the velocity, but there are smaller ones: of all that do, those of least norm are asked."
-REACHED = 0.01  # of the velocity: rates this near were meant to reach it
 UNASKED_NORM = 0.5  # of the points for rates that reach the velocity, but not with the least norm
 DIFFERENT = 1e-3  # by which a mistake must change some entry to be one for this robot
 
@@ -286,7 +284,7 @@ def rates(
             name=name,
         )
         return Question(
-            _rates,
+            unique_or_least_rates,
             name,
             points,
             Numbers((setting.robot.n,), rate_units(setting.robot.kinds), decimals),
@@ -299,26 +297,18 @@ def rates(
     return ready
 
 
-def _rates(J: Array, xi: Array) -> Array:
-    if J.shape[0] == J.shape[1]:
-        return np.linalg.solve(J, xi)
-    return pseudoinverse(J) @ xi
-
-
 def _by_velocity(decimals: int, *, least: bool) -> Callable[..., Outcome | None]:
     """A check by which unique rates are right that reach the velocity, and rates not of least norm are named."""
-    half = 0.5 * 10.0**-decimals
 
     def judged(J: Array, xi: Array, value: Array) -> Outcome | None:
-        rounding = 1.5 * half * (np.abs(J).sum(axis=1) + np.abs(value).sum())
-        reached = meets(J, value, xi, np.minimum(rounding, REACHED * np.abs(xi).max()))
-        if not reached:
+        if not reaches(J, value, xi, decimals, float(np.abs(xi).max())):
             return None
         if not least:
             return Outcome(right=True)
-        is_least = np.abs(value - _rates(J, xi)).max() <= REACHED * max(
-            1.0, float(np.abs(value).max())
-        )
-        return None if is_least else Outcome(finding=NORM, share=UNASKED_NORM)
+
+        apart = np.abs(value - unique_or_least_rates(J, xi)).max()
+        if apart <= SLACK * max(1.0, float(np.abs(value).max())):
+            return None  # how near the rates are is left to the tolerance
+        return Outcome(finding=NORM, share=UNASKED_NORM)
 
     return judged
