@@ -1,7 +1,8 @@
 """From a notebook to named raw values: the whole interface to student code.
 
-The notebook runs in a process of its own that holds no answer: a clean environment, an empty folder, limits on
-processor time, memory, file size, output and the wall clock, and an alarm for every cell.
+The notebook runs in a process of its own that holds no answer: a clean environment, an empty
+folder, limits on processor time, memory, file size, output and the wall clock, and an alarm for
+every cell.
 """
 
 import json

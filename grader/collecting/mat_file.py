@@ -11,7 +11,8 @@ import numpy as np
 from .ask import Ask
 from .mat_elements import VERSION_5, MatError, Order, array_of, byte_order, variables
 from .mat_limits import check
-from .named_matrices import every, raw_value
+from .named_matrices import every
+from .nested_values import raw_value
 from .wire import Raw
 
 MAX_BYTES = 4 << 20
