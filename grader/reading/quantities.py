@@ -6,7 +6,8 @@ from itertools import pairwise
 
 from ...exercises.units import SPELLINGS, UNITS
 from ...solutions.tokens import ExpressionError, Token, refusing, tokens_of
-from .typed import TYPED, WORDS, typed_tokens
+from .shorthands import WORDS
+from .typed import TYPED, typed_tokens
 
 MOST_TOKENS = 7  # of a typed unit: N * m * s / rad
 

@@ -7,7 +7,8 @@ from ...solutions.condition import Condition, all_of
 from ...solutions.expression import Expression
 from ...solutions.tokens import PAIRS, ExpressionError, Token, paired, refusing, split, tokens_of
 from .bars import without_bars
-from .typed import TYPED, WORDS
+from .shorthands import WORDS
+from .typed import TYPED
 from .typed_matrix import entry_of, joined_lines, without_trailing
 
 EQUATIONS, TOGETHER, LENGTH = 64, 8, 2000
