@@ -127,10 +127,11 @@ def _called(function: Token, rest: list[Token]) -> tuple[list[Token], list[Token
 
 def _power(function: Token, rest: list[Token]) -> list[Token]:
     """The power between a function and its argument, taken from the rest."""
-    if rest[-1].text != "^":
-        return []
     name = function.text
-    sign = rest.pop()
+    sign = rest[-1]
+    if sign.text != "^":
+        return []
+    rest.pop()
     exponent = rest.pop()
     if exponent.text == "-":
         meant = f"1/{name}(x)"
