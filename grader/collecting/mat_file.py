@@ -50,10 +50,10 @@ def from_mat(data: bytes, asks: Sequence[Ask]) -> dict[str, Raw]:
     except MatError as error:
         nothing = Raw("error", str(error))
 
-    found: dict[str, Raw] = {}
+    found = {ask.name: nothing for ask in asks}
     for ask in asks:
-        element = elements.get(ask.name)
-        found[ask.name] = nothing if element is None else _variable(element, ask, order)
+        if ask.name in elements:
+            found[ask.name] = _variable(elements[ask.name], ask, order)
     return found
 
 
@@ -74,7 +74,7 @@ def _variable(element: bytes, ask: Ask, order: Order) -> Raw:
         return raw_value(_value(loaded[ask.name], ask), ask)
     except MatError as error:
         return Raw("error", str(error))
-    except Exception as error:  # noqa: BLE001 - what scipy makes of a damaged file is not our failure
+    except Exception as error:  # noqa: BLE001 - scipy may do anything with a damaged file
         kind = type(error).__name__
         return Raw("error", f"the variable cannot be read: the file is damaged ({kind})")
 
@@ -120,7 +120,7 @@ def _rows(cells: list[Any], shape: tuple[int, ...]) -> Any:
     if all(isinstance(entry, str | float | complex) for entry in entries):
         # With None at the end, numpy takes each text as one object and not as its letters.
         return np.array([*entries, None], dtype=object)[:-1].reshape(shape, order="F").tolist()
-    return [cell[0] if _is_row_of_text(cell) else cell for cell in cells]
+    return [_text_row_or_cell(cell) for cell in cells]
 
 
 def _entry(cell: Any) -> Any:
@@ -133,14 +133,16 @@ def _entry(cell: Any) -> Any:
     return cell
 
 
-def _is_row_of_text(cell: Any) -> bool:
-    """Whether it is one row of text, as in {{'q1', 'd1'}, {'q2', 'd2'}}."""
+def _text_row_or_cell(cell: Any) -> Any:
+    """One row of text without outer brackets, as in {{'q1', 'd1'}, {'q2', 'd2'}}, or the cell."""
     row = _only_row(cell)
-    return row is not None and any(isinstance(entry, str) for entry in row)
+    if row is not None and any(isinstance(entry, str) for entry in row):
+        return row
+    return cell
 
 
 def _only_row(cell: Any) -> list[Any] | None:
     """The row of a matrix that has one; None for everything else."""
-    if not isinstance(cell, list) or len(cell) != 1:
+    if not isinstance(cell, list) or len(cell) != 1 or not isinstance(cell[0], list):
         return None
-    return cell[0] if isinstance(cell[0], list) else None
+    return cell[0]

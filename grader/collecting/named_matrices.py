@@ -74,7 +74,8 @@ def _decode(data: bytes, marks: str) -> str:
     """
     if len(data) > MAX_BYTES:
         raise TooLarge(f"the file has more than {MAX_BYTES >> 20} MB; hand in only your answers")
-    if sum(data.count(mark.encode()) for mark in marks) > MAX_MARKS:
+    count = sum(data.count(mark.encode()) for mark in marks)
+    if count > MAX_MARKS:
         raise TooLarge(
             f"the file has more than {MAX_MARKS} values, lines or brackets; "
             "hand in only your answers"
@@ -97,7 +98,9 @@ def _blocks(rows: Rows, known: dict[str, Ask]) -> dict[str, dict[int, Rows]]:
 
 
 def _of_blocks(blocks: dict[int, Rows], ask: Ask) -> Raw:
-    cells = sum(_cells(rows) for rows in blocks.values())
+    cells = 0
+    for rows in blocks.values():
+        cells += sum(map(len, rows))
     if cells > MAX_ELEMENTS:
         return Raw("error", f"too large: it has {cells} cells; an answer may have {MAX_ELEMENTS}")
 
@@ -112,10 +115,6 @@ def _of_blocks(blocks: dict[int, Rows], ask: Ask) -> Raw:
     return raw_value([_typed(blocks.get(call, [])) for call in range(1, last + 1)], ask)
 
 
-def _cells(rows: Rows) -> int:
-    return sum(len(row) for row in rows)
-
-
 def _typed(rows: Rows) -> Any:
     """Cells as numbers where every cell is one, else as they were typed.
 
@@ -126,8 +125,9 @@ def _typed(rows: Rows) -> Any:
     try:
         return [_numbers(row) for row in rows]
     except ValueError:
-        return rows[0][0] if _cells(rows) == 1 else rows
+        is_one = len(rows) == len(rows[0]) == 1
+        return rows[0][0] if is_one else rows
 
 
 def _numbers(row: list[str]) -> list[float]:
-    return [float(cell) for cell in row]
+    return list(map(float, row))

@@ -1,4 +1,5 @@
-# pyright: basic, reportAttributeAccessIssue=false, reportArgumentType=false, reportOptionalSubscript=false
+# pyright: basic, reportAttributeAccessIssue=false
+# pyright: reportArgumentType=false, reportOptionalSubscript=false
 """Runs inside the student's process: one self-contained file, started by path with -I.
 
 It imports nothing of ours. Standard input is the request; the file descriptor named on the command

@@ -13,13 +13,12 @@ from .bars import without_bars
 from .shorthands import WORDS
 from .typed import TYPED
 from .typed_matrix import entry_of, joined_lines, without_trailing
+from .variants import is_free, plus_minus, variants
 
 EQUATIONS = 64
 TOGETHER = 8  # equations that hold at once
 LENGTH = 2000
 EQUATION = TYPED | frozenset("=±;&\n")
-FREE = ("k", "n", "m")  # names of a free integer
-INTEGERS = range(-4, 5)
 LISTED = {"or": ";", "and": "&"}
 EITHER = "beside 'and' a comma between equations may be an 'or' or an 'and': write the word"
 
@@ -115,8 +114,8 @@ def _check_shared(equations: Sequence[Sequence[Token]], names: Collection[str]) 
     seen = set[str]()
     for equation in equations:
         marks = set[str]()
-        for token in _plus_minus(equation):
-            if token.text != "±" and not _is_free(token, names):
+        for token in plus_minus(equation):
+            if token.text != "±" and not is_free(token, names):
                 continue
             if token.text in seen:
                 says = f"'{token.text}' in two equations may be one and the same or not"
@@ -144,7 +143,7 @@ def _differences(
 ) -> Iterator[Expression]:
     """Left side minus right side of every equation, for each value of its free integer and sign."""
     for equation in _equations(tokens, names, written=written):
-        for variant in _variants(equation, names):
+        for variant in variants(equation, names):
             yield _difference(variant, names)
 
 
@@ -194,84 +193,7 @@ def _next_value(
 
 
 def _is_constant(token: Token, names: Collection[str]) -> bool:
-    return token.kind != "name" or token.text in WORDS or _is_free(token, names)
-
-
-def _is_free(token: Token, names: Collection[str]) -> bool:
-    return token.kind == "name" and token.text in FREE and token.text not in names
-
-
-def _variants(tokens: Sequence[Token], names: Collection[str]) -> Iterator[list[Token]]:
-    """The equation for each value of its free integer and for both signs of its ±."""
-    signed = _plus_minus(tokens)
-    free = _free_integer(signed, names)
-    _refuse_second_sign(signed)
-
-    for value in INTEGERS if free else (0,):
-        whole = _with_integer(signed, free, value)
-        if not _has(whole, "±"):
-            yield whole
-            continue
-        yield _with_sign(whole, "+")
-        yield _with_sign(whole, "-")
-
-
-def _free_integer(tokens: Sequence[Token], names: Collection[str]) -> str:
-    """The name of the free integer of an equation; empty where there is none."""
-    found = ""
-    for token in tokens:
-        if not _is_free(token, names):
-            continue
-        if found and token.text != found:
-            raise ExpressionError("an equation takes one free integer", token.offset)
-        found = token.text
-    return found
-
-
-def _refuse_second_sign(tokens: Sequence[Token]) -> None:
-    signs = [token for token in tokens if token.text == "±"]
-    if len(signs) > 1:
-        raise ExpressionError("an equation takes one ±", signs[1].offset)
-
-
-def _plus_minus(tokens: Sequence[Token]) -> list[Token]:
-    """Tokens where +- without a space is ±."""
-    found = list[Token]()
-    for token in tokens:
-        if found and _is_plus_minus(found[-1], token):
-            found[-1] = found[-1]._replace(text="±")
-        else:
-            found.append(token)
-    return found
-
-
-def _is_plus_minus(plus: Token, minus: Token) -> bool:
-    return plus.text == "+" and minus.text == "-" and minus.offset == plus.offset + 1
-
-
-def _with_integer(tokens: Sequence[Token], name: str, value: int) -> list[Token]:
-    """Tokens with a value in brackets in the place of the free integer."""
-    sign = "-" if value < 0 else "+"
-    found: list[Token] = []
-    for token in tokens:
-        if token.kind == "name" and token.text == name:
-            number = token._replace(kind="number", text=str(abs(value)))
-            opening, signed, closing = (
-                token._replace(kind="sign", text=text) for text in ("(", sign, ")")
-            )
-            found += [opening, signed, number, closing]
-        else:
-            found.append(token)
-    return found
-
-
-def _with_sign(tokens: Sequence[Token], sign: str) -> list[Token]:
-    """Tokens with a sign in the place of the ±."""
-    found = [*tokens]
-    for place, token in enumerate(tokens):
-        if token.text == "±":
-            found[place] = token._replace(text=sign)
-    return found
+    return token.kind != "name" or token.text in WORDS or is_free(token, names)
 
 
 def _difference(equation: Sequence[Token], names: Collection[str]) -> Expression:
