@@ -9,7 +9,7 @@ import zlib
 
 import numpy as np
 import pytest
-from kinegrade.grader.collecting import mat_elements, mat_file
+from kinegrade.grader.collecting import mat_elements, mat_file, mat_limits
 from kinegrade.grader.collecting.ask import Ask
 from kinegrade.grader.collecting.mat_file import from_mat
 from scipy.io import savemat
@@ -403,4 +403,4 @@ def test_what_is_damaged_never_reaches_scipy(element):
     """It would believe the indices of a sparse matrix."""
     array = mat_elements.array_of(memoryview(element)[8:], "little")
     with pytest.raises(mat_elements.MatError, match="damaged"):
-        mat_elements.check(array, "little")
+        mat_limits.check(array, "little")

@@ -18,14 +18,16 @@ class AskError(KinegradeError):
 
 @dataclass(frozen=True)
 class Ask:
-    """One variable to bring back; `calls` are the arguments of each call, where it shall hold a function.
+    """One variable to bring back; `calls` are the arguments of each call of a function.
 
-    An argument is a number, text, or a list or dict of arguments, with text as names. Numbers in equal rows reach the
-    function as a new float array, in dicts and lists too; all other lists stay lists. `hindrance` says why the calls
-    cannot be made: then nothing is brought back, and the part waits for the instructor.
+    An argument is a number, text, or a list or dict of arguments, with text as names. Numbers in
+    equal rows reach the function as a new float array, in dicts and lists too; all other lists
+    stay lists. `hindrance` says why the calls cannot be made: then nothing is brought back, and
+    the part waits for the instructor.
 
     Raises:
-        AskError: another kind of argument, more than eight lists and dicts inside one another, or more than 200 calls.
+        AskError: another kind of argument, more than eight lists and dicts inside one another, or
+            more than 200 calls.
     """
 
     name: str
@@ -33,7 +35,7 @@ class Ask:
     hindrance: str = ""
 
     def __post_init__(self) -> None:
-        """Refuses arguments here, where it is our mistake; in the student's process it would be the student's."""
+        """Refuses arguments here, where it is our mistake and not yet the student's."""
         if len(self.calls) > MAX_CALLS:
             raise AskError(
                 f"{self.name}: at most {MAX_CALLS} calls can be asked for, got {len(self.calls)}"
@@ -46,16 +48,17 @@ class Ask:
 
 @dataclass(frozen=True)
 class Limits:
-    """What one notebook may use: processor seconds for a cell, seconds on the clock for all, memory, written files.
+    """What one notebook may use.
 
-    A cell that does nothing but wait may wait three times as long as it may compute. A call of an asked function has
-    the time of a cell; after the first that runs out of it, all others share as much again.
+    A cell that does nothing but wait may wait three times as long as it may compute. A call of an
+    asked function has the time of a cell; after the first that runs out of it, all others share
+    as much again.
     """
 
-    cell_seconds: float = 5.0
-    notebook_seconds: float = 60.0
+    cell_seconds: float = 5.0  # of the processor, for each cell
+    notebook_seconds: float = 60.0  # on the clock, for all cells
     memory_mb: int = 2048
-    file_mb: int = 16
+    file_mb: int = 16  # of each file that it writes
 
 
 def _arguments(where: str, call: Any) -> Iterable[Any]:
@@ -74,25 +77,33 @@ def _check(where: str, argument: Any, depth: int = MAX_DEPTH) -> None:
     if isinstance(argument, int | float | np.ndarray | np.generic):
         _check_numbers(where, argument)
         return
+
     if depth == 0:
         raise AskError(
-            f"{where}: an argument takes up to {MAX_DEPTH} lists and dicts inside one another, got more"
+            f"{where}: an argument takes up to {MAX_DEPTH} lists and dicts inside one another, "
+            "got more"
         )
     if isinstance(argument, dict):
-        for name, value in cast("dict[Any, Any]", argument).items():
-            if not isinstance(name, str):
-                raise AskError(
-                    f"{where}: a dict takes text as names, such as {str(name)!r}, got {name!r}"
-                )
-            _check(f"{where}, {name}", value, depth - 1)
-    elif isinstance(argument, list | tuple):
+        _check_named(where, cast("dict[Any, Any]", argument), depth)
+        return
+    if isinstance(argument, list | tuple):
         for item in cast("list[Any] | tuple[Any, ...]", argument):
             _check(where, item, depth - 1)
-    else:
-        kinds = "numbers, text, and lists and dicts of them"
-        raise AskError(
-            f"{where}: an argument takes {kinds}, got {argument!r:.60} ({type(argument).__name__})"
-        )
+        return
+
+    kinds = "numbers, text, and lists and dicts of them"
+    raise AskError(
+        f"{where}: an argument takes {kinds}, got {argument!r:.60} ({type(argument).__name__})"
+    )
+
+
+def _check_named(where: str, arguments: dict[Any, Any], depth: int) -> None:
+    for name, value in arguments.items():
+        if not isinstance(name, str):
+            raise AskError(
+                f"{where}: a dict takes text as names, such as {str(name)!r}, got {name!r}"
+            )
+        _check(f"{where}, {name}", value, depth - 1)
 
 
 def _check_numbers(where: str, argument: Any) -> None:

@@ -8,6 +8,7 @@ from itertools import islice
 from typing import Annotated, Any, Literal, Self, cast
 
 import numpy as np
+from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
 
 from .ask import MAX_CALLS
@@ -16,20 +17,19 @@ Kind = Literal["num", "text", "calls", "missing", "error", "unasked"]
 MAX_ELEMENTS = 4096
 MAX_ROWS = 64  # of text, and cells in each
 MAX_TEXT = 400  # of one entry
-MAX_ANSWER = (
-    20_000  # of an answer that is one text: a matrix typed as a whole, an argument in words
-)
+MAX_ANSWER = 20_000  # of one text: a matrix typed as a whole, an argument in words
 Text = Annotated[str, Field(max_length=MAX_TEXT)]
+UNMARKED = "the value is not one that can be marked"
 
 
 @dataclass(frozen=True, eq=False)
 class Raw:
-    """A value as it came out, not yet read: an array, nested text, results of calls, or why there is none.
+    """A value as it came out, not yet read, or why there is none.
 
-    The value of kind "calls" is a list with a Raw for every call. With `listed` it is a list of results of the
-    published calls that was handed in as such; without, a function was called on what was asked. `note` says how the
-    cell that set it ended, where it did not end well. Kind "unasked" never comes out of a submission: it says why we
-    could not ask.
+    The value is an array, nested text or, of kind "calls", a list with a Raw for every call. With
+    `listed` it is a list of results of the published calls that was handed in as such; without, a
+    function was called on what was asked. `note` says how the cell that set it ended, where it did
+    not end well. Kind "unasked" never comes out of a submission: it says why we could not ask.
     """
 
     kind: Kind
@@ -64,15 +64,14 @@ class _Numeric(_Noted):
     v: _Array
 
 
+_Answer = Annotated[str, Field(max_length=MAX_ANSWER)]
+_Row = Annotated[list[Text], Field(max_length=MAX_ROWS)]
+_Rows = Annotated[list[Text | _Row], Field(max_length=MAX_ROWS)]
+
+
 class _Text(_Noted):
     k: Literal["text"]
-    v: (
-        Annotated[str, Field(max_length=MAX_ANSWER)]
-        | Annotated[
-            list[Text | Annotated[list[Text], Field(max_length=MAX_ROWS)]],
-            Field(max_length=MAX_ROWS),
-        ]
-    )
+    v: _Answer | _Rows
 
 
 class _Nothing(_Checked):
@@ -98,35 +97,72 @@ def read_frame(
 ) -> dict[str, Raw]:
     """Raw values by name from the last frame of a process; `why` it was stopped, or empty.
 
-    `calls` says how many calls of each variable were asked for. One bad value blanks that variable; what is missing
-    because the process did not finish is an error that says so.
+    `calls` says how many calls of each variable were asked for. One bad value blanks that variable;
+    what is missing because the process did not finish is an error that says so.
     """
     asked = calls or {}
-    try:
-        content: Any = json.loads(frame) if frame else {}
-    except (ValueError, RecursionError):
-        content = {}
-    fields: dict[str, Any] = content if isinstance(content, dict) else {}  # pyright: ignore[reportUnknownVariableType]
-    values: dict[str, Any] = fields["values"] if isinstance(fields.get("values"), dict) else {}
+    content = _object(_content(frame))
+    values = _object(content.get("values"))
     found = {name: _read_value(values.get(name), asked.get(name, 0)) for name in names}
-    if fields.get("done") is True and not why:
+    if content.get("done") is True and not why:
         return found
     nothing = Raw("error", why or "the notebook ended its own process before it finished")
     return {name: _filled(raw, nothing) for name, raw in found.items()}
+
+
+def _content(frame: bytes) -> Any:
+    if not frame:
+        return None
+    try:
+        return json.loads(frame)
+    except (ValueError, RecursionError):
+        return None
+
+
+def _object(value: Any) -> dict[str, Any]:
+    """A JSON object as it is, and an empty one for everything else."""
+    return cast("dict[str, Any]", value) if isinstance(value, dict) else {}
 
 
 def _filled(raw: Raw, nothing: Raw) -> Raw:
     """With the reason in the place of what is missing, calls that were not made included."""
     if raw.kind == "calls":
         return replace(raw, value=[_filled(result, nothing) for result in raw.value])
-    return nothing if raw.kind == "missing" else raw
+    if raw.kind == "missing":
+        return nothing
+    return raw
+
+
+def _read_value(data: Any, calls: int) -> Raw:
+    if data is None:
+        return Raw("missing", "")
+    # It is sized before it is checked, for its errors are listed one by one.
+    if isinstance(data, dict) and _is_too_large(cast("dict[str, Any]", data).get("v"), calls):
+        return Raw("error", "the value is too large to be marked")
+    try:
+        value = _Value.model_validate({"value": data}).value
+    except (ValidationError, RecursionError):
+        return Raw("error", UNMARKED)
+
+    if not isinstance(value, _Calls):
+        return _single(value)
+    if calls and (value.listed or len(value.v) == calls):
+        return Raw("calls", [_single(result) for result in value.v], value.note, value.listed)
+    return Raw("error", UNMARKED)
+
+
+def _is_too_large(content: Any, calls: int) -> bool:
+    most = (12 if calls else 3) * MAX_ELEMENTS
+    return _items(content, most) > most
 
 
 def _items(value: Any, most: int, depth: int = 5) -> int:
     """How much is in a value, counted no further than it takes to know that it is too much."""
     if depth == 0 or not isinstance(value, list | dict):
         return 1
-    parts: Any = value.values() if isinstance(value, dict) else value  # pyright: ignore[reportUnknownMemberType, reportUnknownVariableType]
+    parts = cast("dict[str, Any] | list[Any]", value)
+    if isinstance(parts, dict):
+        parts = list(parts.values())
     count = len(parts)
     for part in islice(parts, most):
         count += _items(part, most, depth - 1)
@@ -135,28 +171,17 @@ def _items(value: Any, most: int, depth: int = 5) -> int:
     return count
 
 
-def _read_value(data: Any, calls: int) -> Raw:
-    if data is None:
-        return Raw("missing", "")
-    most = (12 if calls else 3) * MAX_ELEMENTS
-    if isinstance(data, dict):  # sized before errors are listed one by one
-        content = cast("dict[str, Any]", data).get("v")
-        if _items(content, most) > most:
-            return Raw("error", "the value is too large to be marked")
-    try:
-        value = _Value.model_validate({"value": data}).value
-    except (ValidationError, RecursionError):
-        return Raw("error", "the value is not one that can be marked")
-    if not isinstance(value, _Calls):
-        return _single(value)
-    if not calls or not (value.listed or len(value.v) == calls):
-        return Raw("error", "the value is not one that can be marked")
-    return Raw("calls", [_single(result) for result in value.v], value.note, value.listed)
-
-
 def _single(value: _Numeric | _Text | _Nothing) -> Raw:
-    if not isinstance(value, _Numeric):
-        return Raw(value.k, value.v, value.note if isinstance(value, _Text) else "")
-    real = np.array(value.v.re, dtype=float)
-    array = real + 1j * np.array(value.v.im) if any(value.v.im) else real
-    return Raw("num", array.reshape(value.v.shape), value.note)
+    if isinstance(value, _Numeric):
+        return Raw("num", _array(value.v), value.note)
+    if isinstance(value, _Text):
+        return Raw("text", value.v, value.note)
+    return Raw(value.k, value.v)
+
+
+def _array(parts: _Array) -> NDArray[Any]:
+    """Real numbers, or complex ones where an imaginary part is not zero."""
+    numbers = np.array(parts.re, dtype=float)
+    if any(parts.im):
+        numbers = numbers + 1j * np.array(parts.im)
+    return numbers.reshape(parts.shape)

@@ -1,12 +1,14 @@
 """Arrays out of what was typed: nested text brought to a shape, entries with or without a unit."""
 
+import math
+from collections.abc import Sequence
 from typing import Any, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...exercises.units import converted, dimension
-from ...solutions.expression import ExpressionError
+from ...solutions.expression import Expression, ExpressionError
 from .quantities import typed_quantity
 from .typed_matrix import typed_matrix
 from .unreadable import Unreadable, clip, entry_name, misread
@@ -15,18 +17,30 @@ Array = NDArray[np.float64]
 
 
 def reshaped(array: NDArray[Any], asked: tuple[int, ...]) -> Array:
-    """The array in the asked shape, where only the way of writing it differs. Raises Unreadable."""
+    """The array in the asked shape, where only the way of writing it differs.
+
+    Raises:
+        Unreadable: it is of another shape.
+    """
     shape = array.shape
-    stacked = len(asked) == 3 and shape == (
-        asked[0] * asked[1],
-        asked[2],
-    )  # matrices one below the other
-    vector = len(asked) == 1 and sorted(shape) == sorted((1, *asked))
-    single = not asked and array.size == 1
-    if shape != asked and not (stacked or vector or single):
-        number = "one number" if not asked else f"shape {asked}"
-        raise Unreadable(f"takes {number}, got {shape}{_shape_hint(shape, asked)}")
+    if shape != asked and not _is_written_as(shape, asked):
+        expected = f"shape {asked}" if asked else "one number"
+        raise Unreadable(f"takes {expected}, got {shape}{_shape_hint(shape, asked)}")
     return array.reshape(asked)
+
+
+def _is_written_as(shape: tuple[int, ...], asked: tuple[int, ...]) -> bool:
+    """Whether a shape is another way to write the asked one.
+
+    Matrices of a stack may stand one below the other, a vector may be a row or a column, and one
+    number may stand in any brackets.
+    """
+    if len(asked) == 3:
+        count, rows, columns = asked
+        return shape == (count * rows, columns)
+    if len(asked) == 1:
+        return sorted(shape) == sorted((1, *asked))
+    return not asked and math.prod(shape) == 1
 
 
 def _shape_hint(shape: tuple[int, ...], asked: tuple[int, ...]) -> str:
@@ -40,22 +54,42 @@ def _shape_hint(shape: tuple[int, ...], asked: tuple[int, ...]) -> str:
 
 
 def refuse_infinite(array: Array) -> None:
-    if not np.isfinite(array).all():
-        where = tuple(int(i) for i in np.argwhere(~np.isfinite(array))[0])
-        place = f", first at {entry_name(where)}" if where else ""
-        raise Unreadable(f"takes finite numbers, got NaN or infinity{place}")
+    """Nothing, when all entries are finite.
+
+    Raises:
+        Unreadable: one is not; the first is named.
+    """
+    finite = np.isfinite(array)
+    if finite.all():
+        return
+    first = tuple(map(int, np.argwhere(~finite)[0]))
+    place = f", first at {entry_name(first)}" if first else ""
+    raise Unreadable(f"takes finite numbers, got NaN or infinity{place}")
 
 
 def typed_block(text: str, what: str) -> Array:
-    """A whole matrix in one string."""
+    """A whole matrix in one string, of shape (rows, columns); `what` is expected instead.
+
+    Raises:
+        Unreadable: it is no matrix of numbers, with a caret under the place.
+    """
     try:
         rows = typed_matrix(text, ())
     except ExpressionError as error:
         raise Unreadable(f"takes {what}, got text: {clip(text)}\n{error.caret}") from error
-    return np.array([[entry.at({}) for entry in row] for row in rows], dtype=float)
+    return np.array([_values(row) for row in rows], dtype=float)
+
+
+def _values(row: Sequence[Expression]) -> list[Any]:
+    return [entry.at({}) for entry in row]
 
 
 def quantity(text: str, unit: str, where: str) -> float:
+    """The value of a typed entry in the asked unit, which one without a unit is taken to have.
+
+    Raises:
+        Unreadable: it is no quantity, or one of another dimension; `where` it stands.
+    """
     try:
         value, typed = typed_quantity(text)
     except ExpressionError as error:
@@ -73,12 +107,22 @@ def _unit_name(unit: str) -> str:
 
 
 def flat_texts(nested: Any) -> tuple[list[str], tuple[int, ...]]:
-    """All texts of a nested list, and its shape. Raises Unreadable for rows of different lengths."""
+    """All texts of a nested list, and its shape.
+
+    Raises:
+        Unreadable: its rows have different lengths.
+    """
     if not isinstance(nested, list):
         return [str(nested)], ()
-    parts = [flat_texts(part) for part in cast("list[Any]", nested)]
-    shapes = {shape for _, shape in parts}
+    parts = cast("list[Any]", nested)
+
+    texts: list[str] = []
+    shapes = set[tuple[int, ...]]()
+    for part in parts:
+        entries, shape = flat_texts(part)
+        texts += entries
+        shapes.add(shape)
     if len(shapes) > 1:
         raise Unreadable("takes rows of one length, got rows of different lengths")
     inner = shapes.pop() if shapes else ()
-    return [entry for entries, _ in parts for entry in entries], (len(parts), *inner)
+    return texts, (len(parts), *inner)

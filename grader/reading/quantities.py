@@ -6,51 +6,60 @@ from itertools import pairwise
 
 from ...exercises.units import SPELLINGS, UNITS
 from ...solutions.tokens import ExpressionError, Token, refusing, tokens_of
-from .typed import TYPED, WORDS, typed_tokens
+from .shorthands import WORDS
+from .typed import TYPED, typed_tokens
 
 MOST_TOKENS = 7  # of a typed unit: N * m * s / rad
 
 
 def typed_quantity(text: str) -> tuple[float, str]:
-    """Value and unit of a typed quantity in SI: "350mm" is (0.35, "m"), "2 kN*m" is (2000, "N m"), "0.3" is (0.3, "").
+    """Value and unit of a typed quantity in SI: "350mm" is (0.35, "m"), "2 kN*m" is (2000, "N m").
 
-    The number is a formula without names. Raises ExpressionError, with the place in the text, where it is none or the
-    unit is unknown.
+    The number is a formula without names; without a unit, as in "0.3", the unit is "".
+
+    Raises:
+        ExpressionError: it is none or the unit is unknown, with the place in the text.
     """
     with refusing(text, "a quantity"):
         tokens = tokens_of(text, TYPED | {"°"})
-        longest = range(min(MOST_TOKENS, len(tokens) - 1), 0, -1)
-        many = next((many for many in longest if _is_unit(tokens[-1 - many : -1])), 0)
-        formula, unit = tokens[: -1 - many], tokens[-1 - many : -1]
-        for before, word in pairwise(formula):
-            if (
-                (before.kind == "number" or before.text == ")")
-                and word.kind == "name"
-                and word.text not in WORDS
-            ):
-                raise ExpressionError(
-                    f"unknown unit '{text[word.offset :][:40]}'; known: {_listed()}", word.offset
-                )
+        place = len(tokens) - 1 - _unit_length(tokens)
+        formula, unit = tokens[:place], tokens[place:-1]
+        _refuse_unknown_unit(formula, text)
         factor, si = UNITS[SPELLINGS[_joined(unit) or "1"]]
-        value = typed_tokens([*formula, Token("end", "", (unit or tokens[-1:])[0].offset)], ()).at(
-            {}
-        )
-        return float(
-            Fraction(float(value)) * Fraction(repr(factor))
-        ), si  # 350 mm are 0.35 m, not 0.35000000000000003
+
+        end = Token("end", "", tokens[place].offset)
+        value = float(typed_tokens([*formula, end], ()).at({}))
+        # Exactly, for 350 mm are 0.35 m, not 0.35000000000000003.
+        return float(Fraction(value) * Fraction(repr(factor))), si
 
 
-def _is_unit(tokens: Sequence[Token]) -> bool:
-    joined = _joined(tokens)
-    return joined in SPELLINGS and joined != "1"
+def _unit_length(tokens: Sequence[Token]) -> int:
+    """How many of the last tokens are a unit, the more the better; the very last is the end."""
+    for length in range(min(MOST_TOKENS, len(tokens) - 1), 0, -1):
+        joined = _joined(tokens[-1 - length : -1])
+        if joined in SPELLINGS and joined != "1":
+            return length
+    return 0
+
+
+def _refuse_unknown_unit(formula: Sequence[Token], text: str) -> None:
+    for before, word in pairwise(formula):
+        if word.kind != "name" or word.text in WORDS:
+            continue
+        if before.kind == "number" or before.text == ")":
+            unknown = text[word.offset :][:40]
+            raise ExpressionError(f"unknown unit '{unknown}'; known: {_listed()}", word.offset)
 
 
 def _joined(tokens: Sequence[Token]) -> str:
     """Tokens as one text, with a space between two names."""
     text = ""
-    for before, token in pairwise([Token("sign", "", 0), *tokens]):
-        beside = before.kind in ("name", "number") and token.kind == "name"
-        text += f"{' ' * beside}{token.text}"
+    beside = False
+    for token in tokens:
+        if beside and token.kind == "name":
+            text += " "
+        text += token.text
+        beside = token.kind in ("name", "number")
     return text
 
 
