@@ -40,7 +40,7 @@ def description(
     if found.det is not None:
         sentences.append(sign_rule(found))
 
-    near, far = (_without_dust(distance) for distance in reached)
+    near, far = map(_without_dust, reached)
     sentences.append(
         f"Within the joint limits the {point} gets"
         f" from {near:.3g} m to {far:.3g} m away from axis 1."

@@ -92,7 +92,7 @@ def _draw_posture(ax: "Axes", found: JointMap, q: Values, corner: Values) -> Non
     ax.add_patch(Ellipse(joints[-1], width, height, angle=turn, **paint, zorder=3))
     ax.plot(*joints[-1], "o", ms=3, color=INK, zorder=5)
     text = rf"$\sigma_{{\min}}={sigma[1]:.2f}$ m"
-    ax.annotate(text, corner, ha="center", va="center", color=ink)
+    ax.annotate(text, tuple(corner), ha="center", va="center", color=ink)
 
 
 def _draw_singular_values(ax: "Axes", found: JointMap, formula: str | None) -> None:
