@@ -122,7 +122,7 @@ def _found(asked: Asked, value: ExpressionArray, right: Mask) -> Iterator[str]:
 def _numbers_put_in(
     value: ExpressionArray, reference: ExpressionArray, own: dict[str, float]
 ) -> bool:
-    """Whether both come to the same with the student's own numbers, as far as all names have one."""
+    """Whether both come to the same with the student's own numbers, where all names have one."""
     if not set(own) >= reference.names | value.names:
         return False
     difference = np.abs(value.at(own) - reference.at(own))

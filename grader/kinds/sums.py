@@ -68,15 +68,17 @@ def _sign(
     if not inside:
         return _sign_of_leaf(node, numbers)
     first, last = signs[inside[0]], signs[inside[-1]]
-    if kind in NEVER_NEGATIVE or (kind == "^" and _number(nodes[inside[1]]) % 2 == 0):
-        return 1
-    if kind in ("*", "/"):
-        return first * last
     if kind == "neg":
         return -first
-    if (kind == "+" and first == last) or (kind == "-" and first == -last):
-        return first
-    return 0
+    if kind in NEVER_NEGATIVE:
+        return 1
+    if kind == "^":
+        return 1 if _number(nodes[inside[1]]) % 2 == 0 else 0
+    if kind in ("*", "/"):
+        return first * last
+    if kind == "-":
+        kind, last = "+", -last
+    return first if kind == "+" and first == last else 0
 
 
 def _sign_of_leaf(node: Node, numbers: Mapping[str, float]) -> int:
