@@ -73,7 +73,7 @@ def _sign(
     if kind in NEVER_NEGATIVE:
         return 1
     if kind == "^":
-        return 1 if _number(nodes[inside[1]]) % 2 == 0 else 0
+        return int(_number(nodes[inside[1]]) % 2 == 0)
     if kind in ("*", "/"):
         return first * last
     if kind == "-":

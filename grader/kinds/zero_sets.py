@@ -36,6 +36,12 @@ MORE_SOLUTIONS = (
 INCOMPLETE = "Not all conditions are there."
 NEVER_MET = "A condition of yours is met nowhere within the limits."
 NOT_ASKED = "A condition of yours holds at postures that are not asked for."
+SENTENCES = (
+    MORE_SOLUTIONS,
+    INCOMPLETE,
+    NEVER_MET,
+    NOT_ASKED,
+)  # in the order in which they are said
 Values = Callable[[Mapping[str, Any]], Sequence[Any]]
 """From values of all names to values of some expressions."""
 
@@ -84,17 +90,16 @@ def _findings(
     met: Sequence[Points], holds: Sequence[bool], covered: Sequence[NDArray[np.bool_]]
 ) -> list[str]:
     """Sentences on what is missing, from how far each reference condition is covered, or wrong."""
-    found: list[str] = []
-    if any(hit.any() and not hit.all() for hit in covered):
-        found.append(MORE_SOLUTIONS)
-    if any(not hit.any() and not hit.all() for hit in covered):
-        found.append(INCOMPLETE)
-
-    if not all(count_of(points) for points in met):
-        found.append(NEVER_MET)
-    if any(count_of(points) and not true for points, true in zip(met, holds, strict=True)):
-        found.append(NOT_ASKED)
-    return found
+    found: set[str] = set()
+    for hit in covered:
+        if not hit.all():
+            found.add(MORE_SOLUTIONS if hit.any() else INCOMPLETE)
+    for points, right in zip(met, holds, strict=True):
+        if not count_of(points):
+            found.add(NEVER_MET)
+        elif not right:
+            found.add(NOT_ASKED)
+    return [sentence for sentence in SENTENCES if sentence in found]
 
 
 def _met_somewhere(condition: Condition, domain: Domain, v: Variant) -> Points:
