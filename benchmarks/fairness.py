@@ -16,7 +16,6 @@ import numpy as np
 from kinegrade.exercises.answers import Formulas, Numbers, TableOf, Variant
 from kinegrade.exercises.exercise import Exercise, Part, references
 from kinegrade.exercises.files.finding import exercise_files, find
-from kinegrade.grader.collecting.wire import Raw
 from kinegrade.grader.kinds.markers import handed_in
 from kinegrade.grader.marking.answer_key import AnswerKey
 from kinegrade.grader.marking.mark import mark
@@ -30,7 +29,7 @@ Wrong = Callable[[Part, Any, np.random.Generator], Any]
 
 @dataclass(frozen=True)
 class Slip:
-    """A mistake that may happen in any part: `wrong(part, value, rng)` is None where it shows nothing."""
+    """A mistake of any part: `wrong(part, value, rng)` is None where it shows nothing."""
 
     name: str
     kind: str
@@ -225,9 +224,9 @@ def marked(
     answers: dict[str, Any],
     affected: set[str],
 ) -> Run:
-    raws: dict[str, Raw] = {}
-    for part in exercise.asked:
-        raws[part.variable] = handed_in(part.answer, answers[part.variable], v)
+    raws = {
+        part.variable: handed_in(part.answer, answers[part.variable], v) for part in exercise.asked
+    }
     verdicts = {verdict.part: verdict for verdict in mark(exercise, v, raws, key=key)}
     lost, later, kept = 0.0, 0.0, 0.0
     for part in exercise.asked:

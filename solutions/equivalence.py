@@ -95,7 +95,9 @@ def _base(search: Search, sign: float, moved: list[float], angle: float) -> Arra
     turn = np.eye(3) if sign > 0 else REVERSAL
     shift = np.array([0.0] * (3 - len(moved)) + moved)
     start = _transform(turn, shift) @ elementary("Rz", angle)
-    return search.second.fixed[0] @ inverse_transform(start) @ inverse_transform(search.first.fixed[0])
+    return (
+        search.second.fixed[0] @ inverse_transform(start) @ inverse_transform(search.first.fixed[0])
+    )
 
 
 def _at_zero(search: Search, offsets: Array) -> bool:

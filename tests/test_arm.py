@@ -1,4 +1,4 @@
-"""The arm drawing: what is in the picture, where it stands, and that it can be written for any arm."""
+"""The arm drawing: what is in the picture, where it stands, that any arm can be drawn."""
 
 import json
 import re
@@ -13,10 +13,10 @@ from typing import Any
 import numpy as np
 import pytest
 from kinegrade.exercises.drawing import Dimension, Drawing, Point, Triad
-from kinegrade.grader.figures.arm import compose, draw, pose, symbol_of
+from kinegrade.grader.figures.arm import compose, draw
 from kinegrade.grader.figures.depth import Array, by_depth, outside, tube_planes
-from kinegrade.grader.figures.labels import SIZE, SUB, place, text_width
-from kinegrade.grader.figures.pose import camera
+from kinegrade.grader.figures.labels import SIZE, SUB, place, symbol_of, text_width
+from kinegrade.grader.figures.pose import camera, pose
 from kinegrade.grader.figures.raster import data_uri, png
 from kinegrade.grader.figures.scene import Scene, text_xml
 from kinegrade.solutions.chain import Chain, elementary, from_frames, from_standard

@@ -394,6 +394,14 @@ def test_no_bytes_make_reading_fail(seed, compressed):
             part(5, struct.pack("<2i", 0, 1)),
             part(9, bytes(8)),
         ),
+        matrix(
+            "x",
+            5,
+            part(5, bytes(4)),
+            part(5, struct.pack("<5i", 0, 2**31 - 1, -(2**31), -1, 0)),  # differences wrap around
+            part(9, bytes(8)),
+            shape=(2, 4),
+        ),
         matrix("x", 6, part(9, bytes(8)), shape=(2, 1)),
         matrix("x", 4, part(4, b"a\0"), shape=(100, 100)),
         matrix("x", 1, shape=(20, 20)),

@@ -143,7 +143,7 @@ def test_all_that_is_loaded_to_mark_our_exercises_is_in_their_hashes():
     loaded = {file.relative_to(ROOT) for file in files if file.is_relative_to(ROOT)}
     looking = {
         Path(module.__file__).resolve().relative_to(ROOT)
-        for module in (finding, loading, neighbours)
+        for module in (files, finding, loading, neighbours)
     }
     exercises = {path.relative_to(ROOT) for path in exercise_files().values()}
     others = loaded - reached() - looking - exercises

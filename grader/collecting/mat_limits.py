@@ -188,7 +188,7 @@ def _is_sparse(array: Array, order: Order) -> bool:
 
 def _is_rising(start: NDArray[np.int32]) -> bool:
     """Whether each column starts where the one before ends or later, and the first one at 0."""
-    return start[0] == 0 and bool((np.diff(start) >= 0).all())
+    return start[0] == 0 and bool((start[1:] >= start[:-1]).all())  # differences could wrap around
 
 
 def _integers(part: Element, order: Order) -> NDArray[np.int32] | None:

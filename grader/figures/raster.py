@@ -1,4 +1,4 @@
-"""PNG from SVG with the fonts that come in the typst wheel, so that every machine draws the same bytes."""
+"""PNG from SVG with the fonts of the typst wheel: every machine draws the same bytes."""
 
 from base64 import b64encode
 from functools import cache

@@ -9,15 +9,20 @@ from .marker import Comparison, Marker, Wanted
 
 
 def read_choice(answer: Choice, raw: Raw, _: Variant) -> str:
-    text = (
-        f"{raw.value.item():g}"
-        if raw.kind == "num" and raw.value.size == 1
-        else str(raw.value).strip()
-    )
+    """The letter of the option that was handed in: the letter, the option, or both as printed.
+
+    Raises:
+        Unreadable: it is none of them.
+    """
+    text = str(raw.value).strip()
+    if raw.kind == "num" and raw.value.size == 1:  # an option may be a number
+        text = f"{raw.value.item():g}"
+    text = text.lower()
+    typed = {text, text.strip("().: ")}
     for letter, option in zip(answer.letters, answer.options, strict=True):
-        ways = {letter, option.lower(), f"{letter}) {option.lower()}"}
-        if {text.lower(), text.lower().strip("().: ")} & ways:
+        if typed & {letter, option.lower(), f"{letter}) {option.lower()}"}:
             return letter
+
     got = "a number" if raw.kind == "num" else repr(clip(raw.value))
     raise Unreadable(f"takes one of the letters {', '.join(answer.letters)} in quotes, got {got}")
 

@@ -9,7 +9,8 @@ STEPS = 30
 LONGEST = 0.5  # rad or m: of one step
 SHIFT = 1e-5  # to both sides, for a slope
 DAMPING = 1e-10  # of the squared slopes: directions in which nothing changes stay as they are
-SETTLED = 1e-7  # length of the last step of a start that has arrived: a double root is found to half the digits
+# Length of the last step of a start that has arrived: a double root is found to half the digits.
+SETTLED = 1e-7
 STILL = 1e-9  # length of a step behind which none is worth the time
 
 Array = NDArray[np.float64]
@@ -18,9 +19,10 @@ Functions = Callable[[Array], Array]
 
 
 def common_roots(functions: Functions, starts: Array) -> Array:
-    """Points (n, found) where Gauss-Newton from the starts (n, count) comes to rest; some may be least sizes, no roots.
+    """Points (n, found) where Gauss-Newton from the starts (n, count) comes to rest.
 
-    Where a point has freedom left, the step is the shortest one.
+    Some may be places where the functions are least, not zero. Where a point has freedom left, the
+    step is the shortest one.
     """
     x, length = starts.copy(), np.full(starts.shape[1], np.inf)
     for _ in range(STEPS):
@@ -37,13 +39,16 @@ def common_roots(functions: Functions, starts: Array) -> Array:
 
 
 def _step(functions: Functions, x: Array) -> Array:
-    """The damped Gauss-Newton step (n, count) at each point, not longer than half a radian; NaN where there is none."""
+    """The damped Gauss-Newton step (n, count) at each point; NaN where there is none.
+
+    It is not longer than half a radian.
+    """
     values, slopes = functions(x), _slopes(functions, x)  # (m, count), (m, n, count)
+    # Near a double root a function is flat; it weighs the same as others.
     steep = np.linalg.norm(slopes, axis=1)
-    steep = np.where(
-        steep > 0, steep, 1.0
-    )  # near a double root a function is flat, and weighs the same as others
+    steep = np.where(steep > 0, steep, 1.0)
     values, slopes = values / steep, slopes / steep[:, None]
+
     square = np.einsum("mic,mjc->cij", slopes, slopes)
     damping = DAMPING * np.trace(square, axis1=1, axis2=2) + np.finfo(float).tiny
     square += damping[:, None, None] * np.eye(len(x))

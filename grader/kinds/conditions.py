@@ -16,14 +16,20 @@ from ..reading.unreadable import Unreadable, misread
 from .marker import Comparison, Marker, Wanted
 from .zero_sets import judge_conditions
 
-MOST_CONDITIONS, MOST_EQUATIONS = 32, 64
+MOST_CONDITIONS = 32
+MOST_EQUATIONS = 64  # in all conditions
 
 
 def read_conditions(answer: Conditions, raw: Raw, v: Variant) -> tuple[Condition, ...]:
-    """Expressions that are zero where a condition holds, or several that are zero at once. Raises Unreadable."""
+    """Expressions that are zero where a condition holds, or several that are zero at once.
+
+    Raises:
+        Unreadable: they are no text, cannot be read, or are too many.
+    """
     names = names_on_sheet(answer.names, v)
     if raw.kind != "text":
-        got = "numbers" if raw.kind != "num" or raw.value.size else "nothing"
+        empty = raw.kind == "num" and not raw.value.size
+        got = "nothing" if empty else "numbers"
         raise Unreadable(
             f"takes a list of conditions in {', '.join(names)}, such as ['sin(q1) = 0'], got {got}"
         )
@@ -32,9 +38,11 @@ def read_conditions(answer: Conditions, raw: Raw, v: Variant) -> tuple[Condition
     for text in texts:
         if len(found) <= MOST_CONDITIONS:
             found += _typed(text, names)
+
     if not 1 <= len(found) <= MOST_CONDITIONS:
         raise Unreadable(f"takes 1 to {MOST_CONDITIONS} conditions, got {len(found)}")
-    if (count := sum(len(equations_of(condition)) for condition in found)) > MOST_EQUATIONS:
+    count = sum(len(equations_of(condition)) for condition in found)
+    if count > MOST_EQUATIONS:
         raise Unreadable(f"takes up to {MOST_EQUATIONS} equations in all conditions, got {count}")
     return tuple(found)
 
@@ -52,7 +60,7 @@ def _compared(answer: Conditions, v: Variant, wanted: Wanted, value: Any) -> Com
 
 
 def _shown(value: Sequence[Condition]) -> list[str]:
-    return list(map(condition_text, value))
+    return [condition_text(condition) for condition in value]
 
 
 def _handed_in(_: Conditions, value: Sequence[Condition], __: Variant) -> Raw:

@@ -12,23 +12,38 @@ from .marker import Array, Comparison, Marker, Mask, Wanted
 
 
 def read_configurations(answer: Configurations, raw: Raw, _: Variant) -> Array:
-    """Rows (m, joints); a single configuration is one row. Raises Unreadable."""
-    n = answer.joints
+    """Rows (m, joints); a single configuration is one row.
+
+    Raises:
+        Unreadable: it is of another kind or shape, or has too many rows.
+    """
     array: Array = raw.value if raw.kind == "num" else _typed_rows(raw, answer)
     if np.iscomplexobj(array):
         raise Unreadable("takes real numbers, got complex ones")
-    flat = n == 1 and (array.ndim < 2 or 1 in array.shape)
-    if array.ndim > 2 or not (flat or array.shape[-1:] == (n,)) or array.size == 0:
-        one = "a list of numbers" if n == 1 else f"rows of {n} numbers each"
+    if not _has_rows(array, answer.joints):
+        one = f"rows of {answer.joints} numbers each"
+        if answer.joints == 1:
+            one = "a list of numbers"
         raise Unreadable(f"takes {one}, got shape {array.shape}")
-    array = array.reshape(-1, n)
+
+    array = array.reshape(-1, answer.joints)
     if len(array) > answer.most:
         raise Unreadable(f"takes up to {answer.most} of them, got {len(array)}")
     refuse_infinite(array)
     return array
 
 
+def _has_rows(array: Array, joints: int) -> bool:
+    """Whether an array is one row or several; of one joint also a list in any direction."""
+    if array.size == 0 or array.ndim > 2:
+        return False
+    if joints == 1 and (array.ndim < 2 or 1 in array.shape):
+        return True
+    return array.shape[-1:] == (joints,)
+
+
 def _typed_rows(raw: Raw, answer: Configurations) -> Array:
+    """Rows of numbers that were typed as text, each with or without its unit."""
     if raw.kind != "text":
         raise Unreadable(f"takes numbers, got {clip(raw.kind)}")
     if isinstance(raw.value, str):
@@ -42,12 +57,11 @@ def _typed_rows(raw: Raw, answer: Configurations) -> Array:
 
 
 def _compared(answer: Configurations, _: Variant, wanted: Wanted, value: Array) -> Comparison:
-    """Row by row, which is what a known mistake is told by; the part's own check judges what is handed in."""
+    """Row by row, to tell a known mistake; what is handed in is judged by the part's own check."""
     if value.shape != wanted.value.shape:
         return Comparison(np.zeros(value.shape, dtype=bool), 0.0)
-    right: Mask = np.less_equal(
-        np.abs(value - wanted.value), 1.001 * 10.0**-answer.decimals, dtype=bool
-    )
+    allowed = 1.001 * 10.0**-answer.decimals
+    right: Mask = np.less_equal(np.abs(value - wanted.value), allowed, dtype=bool)
     return Comparison(right, float(right.all()))
 
 

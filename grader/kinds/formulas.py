@@ -1,7 +1,7 @@
 """Formulas in the names of the sheet."""
 
-from collections.abc import Callable, Iterator
-from typing import Any
+from collections.abc import Callable, Iterator, Sequence
+from typing import TypeVar
 
 import numpy as np
 
@@ -18,52 +18,67 @@ from .marker import Array, Asked, Marker, Mask, Wanted
 from .signs import said_of_signs
 
 NUMBERS_PUT_IN = 5e-3  # numbers of a sheet have two or three decimals
+DUST = 1e-12
+T = TypeVar("T")
 
 
 def read_formulas(answer: Formulas, raw: Raw, v: Variant) -> ExpressionArray:
-    """Formulas of the asked shape: nested text, one text with all of them, or constants. Raises Unreadable."""
+    """Formulas of the asked shape: nested text, one text with all of them, or constants.
+
+    Raises:
+        Unreadable: they are of another kind or shape, or one cannot be read.
+    """
     names = names_on_sheet(answer.names, v)
-    if raw.kind not in ("text", "num"):
+    if raw.kind == "num":
+        entries = _constants(raw.value, answer.shape)
+    elif raw.kind != "text":
         raise Unreadable(f"takes formulas of shape {answer.shape}, got {clip(raw.kind)}")
-    if isinstance(raw.value, str) and answer.shape:
-        rows = _read(raw.value, lambda text: typed_matrix(text, names))
-        reshaped(np.zeros((len(rows), len(rows[0]))), answer.shape)  # refuses another shape
-        entries = [entry for row in rows for entry in row]
+    elif isinstance(raw.value, str) and answer.shape:
+        entries = _typed_at_once(raw.value, answer.shape, names)
     else:
-        reshaped(
-            np.zeros(_shape_of(raw)), answer.shape
-        )  # refuses another shape before entries are read
-        entries = _entries(raw, names)
+        entries = _typed_entries(raw.value, answer.shape, names)
     return ExpressionArray(tuple(entries), answer.shape)
 
 
-def _read(text: str, read: Callable[[str], Any], where: str = "") -> Any:
+def _constants(array: Array, shape: tuple[int, ...]) -> list[Expression]:
+    _refuse_other_shape(array.shape, shape)
+    if np.iscomplexobj(array) or not np.isfinite(array).all():
+        raise Unreadable("takes formulas, got numbers that are not finite and real")
+    return [_constant(float(number)) for number in array.ravel()]
+
+
+def _constant(number: float) -> Expression:
+    text = "0" if abs(number) < DUST else repr(number)
+    return _read(text, lambda text: parse(text, ()))
+
+
+def _typed_at_once(text: str, shape: tuple[int, ...], names: Sequence[str]) -> list[Expression]:
+    """The entries of a matrix in one text, row by row."""
+    rows = _read(text, lambda text: typed_matrix(text, names))
+    _refuse_other_shape((len(rows), len(rows[0])), shape)
+    return [entry for row in rows for entry in row]
+
+
+def _typed_entries(texts: object, shape: tuple[int, ...], names: Sequence[str]) -> list[Expression]:
+    """The entries of nested text, each read by itself."""
+    flat, found = flat_texts(texts)
+    _refuse_other_shape(found, shape)  # before an entry is read
+    entries: list[Expression] = []
+    for text, where in zip(flat, np.ndindex(found), strict=True):
+        entries.append(_read(text, lambda text: typed(text, names), entry_name(where)))
+    return entries
+
+
+def _refuse_other_shape(found: tuple[int, ...], asked: tuple[int, ...]) -> None:
+    reshaped(np.zeros(found), asked)
+
+
+def _read(text: str, read: Callable[[str], T], where: str = "") -> T:
+    """What `read` makes of a text. Raises Unreadable, with the place of the entry."""
     try:
         return read(text)
     except ExpressionError as error:
         raise misread(error, where) from error
-
-
-def _shape_of(raw: Raw) -> tuple[int, ...]:
-    return raw.value.shape if raw.kind == "num" else flat_texts(raw.value)[1]
-
-
-def _entries(raw: Raw, names: tuple[str, ...]) -> list[Expression]:
-    if raw.kind == "num":
-        array = raw.value
-        if np.iscomplexobj(array) or not np.isfinite(array).all():
-            raise Unreadable("takes formulas, got numbers that are not finite and real")
-        return [_read(_constant(float(x)), lambda text: parse(text, ())) for x in array.ravel()]
-    flat, shape = flat_texts(raw.value)
-    places = np.ndindex(shape)
-    return [
-        _read(text, lambda text: typed(text, names), entry_name(where))
-        for text, where in zip(flat, places, strict=True)
-    ]
-
-
-def _constant(number: float) -> str:
-    return "0" if abs(number) < 1e-12 else repr(number)
 
 
 def _compared(answer: Formulas, v: Variant, wanted: Wanted, value: ExpressionArray) -> Mask:
@@ -83,35 +98,53 @@ def _trivial(_: Formulas, wanted: Wanted, __: Variant) -> Mask:
 def _arrays(asked: Asked, value: ExpressionArray) -> list[tuple[Array, Array, Array]]:
     """Numbers of both at a few points."""
     names = names_on_sheet(asked.answer.names, asked.v)
+    theirs, ours = sampled(value, names), sampled(asked.wanted.value, names)
     found: list[tuple[Array, Array, Array]] = []
-    for own, reference in zip(
-        sampled(value, names), sampled(asked.wanted.value, names), strict=True
-    ):
+    for own, reference in zip(theirs, ours, strict=True):
         found.append((own, reference, SAME * np.maximum(1.0, np.abs(reference))))
     return found
 
 
+def _has_blocks(_: Formulas) -> bool:
+    return True
+
+
 def _found(asked: Asked, value: ExpressionArray, right: Mask) -> Iterator[str]:
     reference: ExpressionArray = asked.wanted.value
-    own = own_numbers(asked.v)
-    if set(own) >= reference.names | value.names and not value.names >= reference.names:
-        difference = np.abs(value.at(own) - reference.at(own))
-        if (difference <= NUMBERS_PUT_IN).all():
-            missing = ", ".join(sorted(reference.names - value.names))
-            yield f"With your numbers put in it is right, but formulas are asked: they take {missing}."
-            return
+    missing = ", ".join(sorted(reference.names - value.names))
+    if missing and _numbers_put_in(value, reference, own_numbers(asked.v)):
+        yield f"With your numbers put in it is right, but formulas are asked: they take {missing}."
+        return
     negated = same_formulas(_negated(value), reference, names_on_sheet(asked.answer.names, asked.v))
     yield from said_of_signs(negated & ~right, ~right)
 
 
+def _numbers_put_in(
+    value: ExpressionArray, reference: ExpressionArray, own: dict[str, float]
+) -> bool:
+    """Whether both come to the same with the student's own numbers, where all names have one."""
+    if not set(own) >= reference.names | value.names:
+        return False
+    difference = np.abs(value.at(own) - reference.at(own))
+    return bool((difference <= NUMBERS_PUT_IN).all())
+
+
 def own_numbers(v: Variant) -> dict[str, float]:
     """Values of all names of a sheet, joints included."""
-    joints = {f"q{i}": float(x) for i, x in enumerate(v.get("q", ()), 1)}
-    return {**{name: float(x) for name, x in v.items() if isinstance(x, int | float)}, **joints}
+    numbers: dict[str, float] = {}
+    for name, value in v.items():
+        if isinstance(value, int | float):
+            numbers[name] = float(value)
+    for i, q in enumerate(v.get("q", ()), 1):
+        numbers[f"q{i}"] = float(q)
+    return numbers
 
 
 def _negated(value: ExpressionArray) -> ExpressionArray:
-    negated = (Expression((*entry.nodes, ("neg", len(entry.nodes) - 1))) for entry in value.entries)
+    negated: list[Expression] = []
+    for entry in value.entries:
+        last = len(entry.nodes) - 1
+        negated.append(Expression((*entry.nodes, ("neg", last))))
     return ExpressionArray(tuple(negated), value.shape)
 
 
@@ -122,6 +155,6 @@ MARKER = Marker(
     shown=ExpressionArray.text,
     trivial=_trivial,
     arrays=_arrays,
-    has_blocks=lambda _: True,
+    has_blocks=_has_blocks,
     found=_found,
 )

@@ -1,7 +1,7 @@
-"""Functions: results of the calls of a notebook, or those that were handed in for published inputs."""
+"""Functions: results of the calls of a notebook, or those handed in for published inputs."""
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
@@ -19,32 +19,45 @@ NOTHING = "not a matrix of numbers: None"  # what the collector says of a call t
 
 
 def read_results(answer: Function, raw: Raw, v: Variant) -> Results:
+    """What came out of every call, in the order of the inputs.
+
+    Raises:
+        Unreadable: it is no function, or one that never returns anything.
+    """
     if raw.kind == "calls":
-        if all(result.kind == "error" and NOTHING in str(result.value) for result in raw.value):
+        if _return_nothing(raw.value):
             raise Unreadable(f"{UNANSWERED}: the function returns nothing")
         return Results(tuple(map(_result, raw.value)), raw.listed)
     if raw.kind == "num" and answer.published and _are_results(raw.value, answer, v):
         return Results(tuple(np.asarray(x, dtype=float) for x in raw.value), published=True)
-    raise Unreadable(
-        f"takes a function, def NAME{answer.signature}, got {'numbers' if raw.kind == 'num' else 'text'}"
-    )
+    got = "numbers" if raw.kind == "num" else "text"
+    raise Unreadable(f"takes a function, def NAME{answer.signature}, got {got}")
+
+
+def _return_nothing(calls: Sequence[Raw]) -> bool:
+    """Whether all calls returned None: the body of the function is still to be written."""
+    return all(call.kind == "error" and NOTHING in str(call.value) for call in calls)
 
 
 def _are_results(value: NDArray[np.float64], answer: Function, v: Variant) -> bool:
-    """Whether an array is a list of results of one shape; numbers alone are, where there are as many as calls."""
+    """Whether an array is a list of results of one shape.
+
+    Numbers alone are, where there are as many as calls.
+    """
     return value.ndim > 1 or value.shape == (len(answer.published_calls(v)),)
 
 
 def _result(raw: Raw) -> Result:
+    """The array that a call returned, or why there is none."""
+    if raw.kind == "error":
+        return CALLED.sub("", str(raw.value), count=1)
     if raw.kind != "num":
-        return (
-            CALLED.sub("", str(raw.value), count=1)
-            if raw.kind == "error"
-            else "no matrix of numbers"
-        )
+        return "no matrix of numbers"
     if np.iscomplexobj(raw.value):
         return "complex numbers"
-    return np.asarray(raw.value, dtype=float) if np.isfinite(raw.value).all() else "NaN or infinity"
+    if not np.isfinite(raw.value).all():
+        return "NaN or infinity"
+    return np.asarray(raw.value, dtype=float)
 
 
 def _compared(answer: Function, v: Variant, wanted: Wanted, value: Results) -> Comparison:

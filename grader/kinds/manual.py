@@ -12,9 +12,17 @@ MOST_TEXT = 20_000  # characters of an argument in words
 
 
 def read_text(_: Manual, raw: Raw, __: Variant) -> str:
+    """The text; a list of texts as its lines.
+
+    Raises:
+        Unreadable: it is no text, or a very long one.
+    """
     if raw.kind != "text":
         raise Unreadable("takes text in quotes")
-    text = raw.value if isinstance(raw.value, str) else "\n".join(flat_texts(raw.value)[0])
+    text = raw.value
+    if not isinstance(text, str):
+        lines, _shape = flat_texts(text)
+        text = "\n".join(lines)
     if len(text) > MOST_TEXT:
         raise Unreadable(f"takes up to {MOST_TEXT} characters, got {len(text)}")
     return text

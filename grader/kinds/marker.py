@@ -1,6 +1,14 @@
-"""What marking asks of a kind of answer, and what a comparison says."""
+"""How a kind of answer is marked: the functions that it gives, and what they are given.
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+To add a kind, declare it in exercises/kinds, write a file here that ends with
+`MARKER = Marker(...)`, and enter it in markers.py. Good models are choice.py, for an answer that is
+right or wrong as a whole, and table.py, for one that is right cell by cell.
+
+Marking calls, in this order: `read`; `compared`; `checked`, where the part has a check of its own;
+and what explains a wrong answer, `arrays` and `found`.
+"""
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -17,7 +25,13 @@ TRIVIAL = (-1.0, 0.0, 1.0)
 
 @dataclass(frozen=True, eq=False)
 class Wanted:
-    """The answer that follows from `given`, and how far each entry of numbers may be off."""
+    """The right answer.
+
+    Attributes:
+        value: Of the declared kind: an array, a `Table`, an `ExpressionArray`, a letter, ...
+        given: The earlier answers by name that it follows from: the reference's or the student's.
+        allowed: How far each entry may be off; of numbers alone, empty for any other kind.
+    """
 
     value: Any
     given: Mapping[str, Any]
@@ -26,9 +40,13 @@ class Wanted:
 
 @dataclass(frozen=True)
 class Comparison:
-    """Which entries are right, of the shape in which the answer is shown, the share of the points, what was seen.
+    """An answer beside the right one.
 
-    `reading` is how the question was read, where the part's own check tells.
+    Attributes:
+        right: Which entries are right, in the shape in which the answer is shown.
+        share: Share of the points, in [0, 1].
+        findings: Sentences for the student on what was seen.
+        reading: How the question was read, where the part's own check tells.
     """
 
     right: Any
@@ -44,18 +62,29 @@ class Comparison:
 
 @dataclass(frozen=True)
 class Presentation:
-    """A finished matrix handed in another way: `of(reference)` is what would be seen, None where it cannot be."""
+    """The right matrix handed in another way, such as transposed or in degrees.
+
+    Attributes:
+        of: From the reference to what would be seen; None where it cannot be presented so.
+        sentence: What the student is told.
+        worthless: Whether the entries that still agree, which they do by chance, earn nothing.
+    """
 
     of: Callable[[Array], Array | None]
     sentence: str
-    worthless: bool = False  # entries that agree by chance earn nothing
+    worthless: bool = False
 
 
 @dataclass(frozen=True)
 class Asked:
-    """What a wrong answer is looked at with: the kind as declared, the variant, and what is wanted.
+    """What a wrong answer is looked at with.
 
-    `in_degrees` is the answer of somebody who takes every printed angle for degrees; None where there is none.
+    Attributes:
+        answer: The kind as the exercise declares it, such as `Numbers((6, 3), ...)`.
+        v: The student's drawn numbers.
+        wanted: The right answer.
+        in_degrees: Returns the answer of somebody who takes every printed angle for degrees; None
+            where there is none.
     """
 
     answer: Any
@@ -64,57 +93,99 @@ class Asked:
     in_degrees: Callable[[], Any]
 
 
-def _no_sentence(*_: Any) -> str:
-    return ""
-
-
-def _nothing(*_: Any) -> Sequence[Any]:
-    return ()
-
-
 def _as_it_is(value: Any) -> Any:
     return value
 
 
-def _everything_counts(_: Any, wanted: Wanted, __: Variant) -> Mask:
+def _no_sentence(*_: Any) -> str:
+    return ""
+
+
+def _everything_counts(*_: Any) -> Mask:
     return np.zeros((), dtype=bool)
+
+
+def _no_arrays(*_: Any) -> Sequence[tuple[Array, Array, Array]]:
+    return ()
+
+
+def _no_blocks(_: Any) -> bool:
+    return False
+
+
+def _no_presentations(_: Any) -> Sequence[Presentation]:
+    return ()
+
+
+def _no_sentences(*_: Any) -> Sequence[str]:
+    return ()
 
 
 @dataclass(frozen=True)
 class Marker:
-    """A kind of answer as it is marked; each file of this folder has one.
+    """A kind of answer as it is marked; all but the first three functions have defaults.
 
-    `read(answer, raw, v)` returns the declared value or raises Unreadable. `compared(answer, v, wanted, value)` returns
-    the mask of right entries, or a Comparison where the points do not follow from entries.
+    `answer` is the kind as the exercise declares it, `v` the student's drawn numbers, `value` an
+    answer that was read.
     """
 
     read: Callable[[Any, Raw, Variant], Any]
+    """read(answer, raw, v): the value of the declared kind. Raises Unreadable where it is none."""
+
     compared: Callable[[Any, Variant, Wanted, Any], Mask | Comparison]
+    """compared(answer, v, wanted, value): which entries are right.
+
+    Points then follow from the entries; a Comparison says its share itself.
+    """
+
     handed_in: Callable[[Any, Any, Variant], Raw]
-    """A declared value as a student would hand it in: what reading undoes."""
+    """handed_in(answer, value, v): a value as a student would hand it in; `read` undoes it."""
+
+    # What is shown to the student.
+
     shown: Callable[[Any], Any] = _as_it_is
-    """A value as nested lists of numbers and text, in the shape of its right entries."""
+    """shown(value): nested lists of numbers and text, in the shape of the right entries."""
+
     read_as: Callable[[Any, Raw, Any], str] = _no_sentence
-    """How an answer was read, in a sentence, where that may surprise."""
+    """read_as(answer, raw, value): how it was read, in a sentence, where that may surprise."""
+
+    # Which entries carry points.
+
     trivial: Callable[[Any, Wanted, Variant], Mask] = _everything_counts
-    """Entries of the reference that anybody would guess, so that they carry no points."""
+    """trivial(answer, wanted, v): entries that anybody would guess; they carry no points."""
+
     varies: bool = False
     """Whether entries that are the same for all students carry no points."""
+
     by_rows: bool = False
     """Whether a wrong entry that carries no points voids its row instead of its column."""
+
     checked: Callable[[Any, Variant, Wanted, Any, Any], Comparison] | None = None
-    """What a part's own check found right, where that is not a mask of entries."""
-    arrays: Callable[[Asked, Any], Sequence[tuple[Array, Array, Array]]] = _nothing
-    """Own, wanted and allowed arrays in which another presentation of the right answer shows."""
-    has_blocks: Callable[[Any], bool] = lambda _: False
-    """Whether linear and angular rows may be exchanged."""
-    in_other_units: Callable[[Any], Sequence[Presentation]] = _nothing
-    found: Callable[[Asked, Any, Mask], Iterator[str] | Sequence[str]] = _nothing
-    """Sentences on a wrong answer of any exercise, from most to least telling."""
+    """checked(answer, v, wanted, value, right): what the `right` of a part's own check comes to.
+
+    None where that is a mask of entries.
+    """
+
+    # What explains a wrong answer, the first that fits.
+
+    arrays: Callable[[Asked, Any], Sequence[tuple[Array, Array, Array]]] = _no_arrays
+    """arrays(asked, value): own, wanted and allowed numbers in which a Presentation would show.
+
+    It has to agree with all of them; a kind without any is not looked at for presentations.
+    """
+
+    has_blocks: Callable[[Any], bool] = _no_blocks
+    """has_blocks(answer): whether its linear and angular rows may be exchanged."""
+
+    in_other_units: Callable[[Any], Sequence[Presentation]] = _no_presentations
+    """in_other_units(answer): presentations in units that are not asked for."""
+
+    found: Callable[[Asked, Any, Mask], Iterable[str]] = _no_sentences
+    """found(asked, value, right): sentences on a wrong answer, from most to least telling."""
 
 
 def is_trivial(numbers: Array, allowed: Array | float) -> Mask:
-    """Entries that are -1, 0 or 1."""
-    close = np.maximum(allowed, 1e-6)
+    """Entries that are -1, 0 or 1, within what is `allowed` of each."""
+    close = np.asarray(np.maximum(allowed, 1e-6))
     away = np.abs(numbers[..., None] - TRIVIAL)
-    return np.asarray((away <= np.asarray(close)[..., None]).any(axis=-1))
+    return np.asarray((away <= close[..., None]).any(axis=-1))

@@ -41,10 +41,11 @@ def marker_of(answer: Answer) -> Marker:
 
 
 def read(answer: Answer, raw: Raw, v: Variant) -> Any:
-    """The student's answer as the declared kind: shape before anything else, then finite, then values.
+    """The student's answer as the declared kind: first its shape, then finite, then its values.
 
     Raises:
-        Unreadable: nothing was handed in, or it is of another kind or shape; the sentence says what was expected.
+        Unreadable: nothing was handed in, or it is of another kind or shape; the sentence says
+            what was expected.
     """
     if raw.kind == "missing" or (raw.kind == "text" and _is_blank(raw.value)):
         raise Unreadable(UNANSWERED)

@@ -27,12 +27,15 @@ TAKEN_AS_DEGREES = (
 
 
 def read_numbers(answer: Numbers, raw: Raw, _: Variant) -> Array:
-    """An array of the asked shape. Raises Unreadable."""
-    array = (
-        np.asarray(raw.value)
-        if raw.kind == "num"
-        else _typed_array(raw, answer.shape, answer.unit_of_entries())
-    )
+    """An array of the asked shape.
+
+    Raises:
+        Unreadable: it is of another kind or shape, or its numbers are not finite and real.
+    """
+    if raw.kind == "num":
+        array = np.asarray(raw.value)
+    else:
+        array = _typed_array(raw, answer.shape, answer.unit_of_entries())
     if np.iscomplexobj(array):
         raise Unreadable("takes real numbers, got complex ones")
     array = reshaped(array, answer.shape)
@@ -49,10 +52,9 @@ def _typed_array(raw: Raw, shape: tuple[int, ...], units: NDArray[np.str_]) -> A
         return typed_block(text, f"numbers of shape {shape}")
     entries, found = flat_texts(text)
     reshaped(np.zeros(found), shape)  # refuses another shape
-    values = [
-        quantity(entry, str(unit), entry_name(where) if shape else "")
-        for entry, unit, where in zip(entries, units.ravel(), np.ndindex(shape), strict=True)
-    ]
+    values: list[float] = []
+    for entry, unit, where in zip(entries, units.ravel(), np.ndindex(shape), strict=True):
+        values.append(quantity(entry, str(unit), entry_name(where)))
     return np.array(values, dtype=float).reshape(shape)
 
 
@@ -72,8 +74,8 @@ def _read_as(answer: Numbers, raw: Raw, value: Array) -> str:
     """How a number that was typed as text with a unit was read."""
     if answer.shape or raw.kind != "text":
         return ""
-    unit = str(answer.unit_of_entries())
-    return f"Read as {float(value):.6g}{f' {unit}' if unit != '1' else ''}."
+    number, unit = f"{float(value):.6g}", str(answer.unit_of_entries())
+    return f"Read as {number}." if unit == "1" else f"Read as {number} {unit}."
 
 
 def _trivial(_: Numbers, wanted: Wanted, __: Variant) -> Mask:
@@ -82,6 +84,10 @@ def _trivial(_: Numbers, wanted: Wanted, __: Variant) -> Mask:
 
 def _arrays(asked: Asked, value: Array) -> list[tuple[Array, Array, Array]]:
     return [(value, asked.wanted.value, asked.wanted.allowed)]
+
+
+def _has_blocks(answer: Numbers) -> bool:
+    return answer.has_blocks
 
 
 def _in_other_units(answer: Numbers) -> tuple[Presentation, ...]:
@@ -94,15 +100,19 @@ def _in_other_units(answer: Numbers) -> tuple[Presentation, ...]:
     if not lengths.any():
         millimetres, centimetres = NEWTON_MILLIMETRES, NEWTON_CENTIMETRES
     return (
-        Presentation(
-            lambda J: np.where(with_moments, 1000.0, 1.0) * J, millimetres, worthless=True
-        ),
-        Presentation(lambda J: np.where(with_moments, 100.0, 1.0) * J, centimetres, worthless=True),
-        Presentation(lambda J: np.where(angles, 180 / np.pi, 1.0) * J, DEGREES, worthless=True),
+        _times(np.where(with_moments, 1000.0, 1.0), millimetres),
+        _times(np.where(with_moments, 100.0, 1.0), centimetres),
+        _times(np.where(angles, 180 / np.pi, 1.0), DEGREES),
     )
 
 
+def _times(factors: Array, sentence: str) -> Presentation:
+    """Entries that are too large by these factors."""
+    return Presentation(lambda J: factors * J, sentence, worthless=True)
+
+
 def _matching(pattern: re.Pattern[str], units: NDArray[np.str_]) -> Mask:
+    """Which entries have a unit that fits the pattern as a whole."""
     found = [pattern.fullmatch(str(unit)) is not None for unit in units.ravel()]
     return np.array(found, dtype=bool).reshape(units.shape)
 
@@ -120,6 +130,7 @@ def _found(asked: Asked, value: Array, right: Mask) -> Iterator[str]:
 
 
 def _too_few_decimals(answer: Numbers, reference: Array, value: Array) -> bool:
+    """Whether an answer is the reference, rounded to fewer decimals than are asked."""
     for decimals in range(answer.decimals - 1, 0, -1):
         rounded = np.abs(value - np.round(value, decimals)).max() < 1e-9
         if rounded and np.abs(value - reference).max() <= 0.5001 * 10.0**-decimals:
@@ -136,7 +147,7 @@ MARKER = Marker(
     trivial=_trivial,
     varies=True,
     arrays=_arrays,
-    has_blocks=lambda answer: answer.has_blocks,
+    has_blocks=_has_blocks,
     in_other_units=_in_other_units,
     found=_found,
 )

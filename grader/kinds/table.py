@@ -1,8 +1,10 @@
 """Denavit-Hartenberg tables: formulas in the sheet's names, or numbers at the student's own q."""
 
+from collections.abc import Sequence
 from typing import Any, cast
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...exercises.answers import TableOf, Variant
 from ...exercises.kinds.formulas import names_on_sheet
@@ -23,61 +25,76 @@ SAME_ANGLE = 8e-3  # of a quarter turn, 0.7 degrees: two decimals of a radian ar
 
 
 def read_dh_table(answer: TableOf, raw: Raw, v: Variant) -> Table:
-    """The table, every cell of which has a value. Raises Unreadable."""
+    """The table, every cell of which has a value.
+
+    Raises:
+        Unreadable: it has other rows, a cell cannot be read, or a joint variable is missing.
+    """
     joints = tuple(f"q{i}" for i in range(1, len(answer.kinds) + 1))
-    names = tuple(name for name in names_on_sheet(answer.names, v) if name not in joints) + joints
-    rows = _cells(raw, (len(answer.kinds), 4))
-    cells = [
-        [_plain(cell, names, i, column) for column, cell in enumerate(row)]
-        for i, row in enumerate(rows)
-    ]
-    for i, (row, kind) in enumerate(zip(cells, answer.kinds, strict=True)):
+    others = [name for name in names_on_sheet(answer.names, v) if name not in joints]
+    names = (*others, *joints)
+    rows = [_plain_row(row, names, i) for i, row in enumerate(_cells(raw, (len(answer.kinds), 4)))]
+    for i, (row, kind) in enumerate(zip(rows, answer.kinds, strict=True)):
         _complete(row, "RP".index(kind), i, v)
     try:
-        table = read_table(cells, names, answer.convention)
+        table = read_table(rows, names, answer.convention)
         table_numbers(table, v, posture(joints, v))
     except KinegradeError as error:
         raise Unreadable(str(error)) from error
     return table
 
 
-def _plain(cell: str, names: tuple[str, ...], row: int, column: int) -> str:
-    """A cell in the names of the table: np.pi is pi, rrt_d1 is d1, theta1 is q1."""
-    try:
-        return str(typed(cell, names))
-    except ExpressionError as error:
-        raise misread(error, f"row {row + 1}, {COLUMNS[column]}") from error
+def _plain_row(row: Sequence[str], names: tuple[str, ...], joint: int) -> list[str]:
+    """Cells in the names of the table: np.pi is pi, rrt_d1 is d1, theta1 is q1."""
+    cells: list[str] = []
+    for column, cell in zip(COLUMNS, row, strict=True):
+        try:
+            cells.append(str(typed(cell, names)))
+        except ExpressionError as error:
+            raise misread(error, f"row {joint + 1}, {column}") from error
+    return cells
 
 
 def _cells(raw: Raw, shape: tuple[int, int]) -> list[list[str]]:
+    """The cells as text, in rows of the asked shape."""
     if raw.kind == "num":
-        array = raw.value
-        if array.shape == shape and np.isfinite(array).all() and not np.iscomplexobj(array):
-            return [[_typed(float(x)) for x in row] for row in array]
-        raise Unreadable(
-            f"takes a table of shape {shape}: theta, d, a, alpha for each joint, got {array.shape}"
-        )
+        return _cells_of_numbers(raw.value, shape)
     given: Any = raw.value
     if isinstance(given, str):
         given = _typed_rows(given)
-    cells = cast("list[Any]", given) if isinstance(given, list) else []
-    if not cells or not all(isinstance(row, list) for row in cells):
+    rows = cast("list[Any]", given) if isinstance(given, list) else []
+    if not rows or not all(isinstance(row, list) for row in rows):
         raise Unreadable(f"takes a list of {shape[0]} rows, got {clip(raw.value)}")
-    counts = [len(row) for row in cells]
+    counts = [len(row) for row in rows]
     if counts != [shape[1]] * shape[0]:
         raise Unreadable(
             f"takes {shape[0]} rows of theta, d, a, alpha, got rows of {clip(counts)} cells"
         )
-    return [[_cell(cell) for cell in row] for row in cells]
+    return [list(map(_cell, row)) for row in rows]
+
+
+def _cells_of_numbers(array: NDArray[np.float64], shape: tuple[int, int]) -> list[list[str]]:
+    if array.shape != shape or not np.isfinite(array).all() or np.iscomplexobj(array):
+        raise Unreadable(
+            f"takes a table of shape {shape}: theta, d, a, alpha for each joint, got {array.shape}"
+        )
+    return [list(map(_typed, row)) for row in array.tolist()]
 
 
 def _typed_rows(text: str) -> list[list[str]]:
-    """A table in one string, such as "[[q1, d1, 0, pi/2], ...]", cut into cells; what they mean is read later."""
-    rows = [row.split(",") for row in text.strip().strip("[]").replace("\n", "").split("],")]
-    return [[cell.strip().strip("[]").strip() for cell in row] for row in rows]
+    """A table in one string, such as "[[q1, d1, 0, pi/2], ...]", cut into cells.
+
+    What they mean is read later.
+    """
+    rows: list[list[str]] = []
+    for row in text.strip().strip("[]").replace("\n", "").split("],"):
+        cells = row.split(",")
+        rows.append([cell.strip().strip("[]").strip() for cell in cells])
+    return rows
 
 
 def _cell(cell: Any) -> str:
+    """A cell of nested text as text; Python hands over numbers as numbers."""
     try:
         return _typed(float(cell))
     except (TypeError, ValueError, OverflowError):
@@ -92,8 +109,8 @@ def _typed(number: float) -> str:
 def _complete(row: list[str], at: int, joint: int, v: Variant) -> None:
     """A number where the joint variable belongs is read as the value at the student's q.
 
-    In theta it may differ from q by quarter turns, the offsets that tables have; anything else is another q. Where the
-    sheet gives no q, a number says nothing of the joint variable.
+    In theta it may differ from q by quarter turns, the offsets that tables have; anything else is
+    another q. Where the sheet gives no q, a number says nothing of the joint variable.
     """
     try:
         number = float(row[at])
@@ -112,7 +129,7 @@ def _complete(row: list[str], at: int, joint: int, v: Variant) -> None:
 
 
 def _compared(answer: TableOf, v: Variant, wanted: Wanted, value: Table) -> Mask:
-    """Cells that have the reference's value at three configurations; angles count modulo a full turn."""
+    """Cells with the reference's value at three configurations; angles up to full turns."""
     half = 0.5 * 10.0**-answer.decimals
     allowed = np.array([4 * half, 6 * half, 6 * half, 4 * half])
     q = np.random.default_rng(0).uniform(-1, 1, (3, len(answer.kinds)))
