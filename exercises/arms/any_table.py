@@ -1,7 +1,8 @@
 """Arms of any structure as a function gets them: a table, the joint types and q, right and misread.
 
-`dh` (n, 4) is a standard table with rows theta, d, a, alpha [rad, m], to which q (n,) [rad, m] is added in theta or d;
-`kinds` are joint types, such as "RRP". A `TableFunction` returns J (6, n) of the last frame's origin in base axes.
+`dh` (n, 4) is a standard table with rows theta, d, a, alpha [rad, m], to which q (n,) [rad, m] is
+added in theta or d; `kinds` are joint types, such as "RRP". A `TableFunction` returns J (6, n) of
+the last frame's origin in base axes.
 """
 
 from collections.abc import Callable

@@ -92,12 +92,13 @@ def described(arm: Arm, structure: int) -> str:
     """What a sheet says of the arm and of the position of its hand, with the letters explained."""
     position: Any = arm.closed.T[:3, 3]
     p = r" \\ ".join(map(in_letters, position))
-    return rf"""The arm has six revolute joints and {mounted(structure)}. $\mathbf p$ is the point in which axes 5 and 6 cross, the
-origin of frame 6. In base axes it is
+    return rf"""The arm has six revolute joints and {mounted(structure)}. $\mathbf p$ is the point
+in which axes 5 and 6 cross, the origin of frame 6. In base axes it is
 
 $$\mathbf p = \begin{{bmatrix}} p_x \\ p_y \\ p_z \end{{bmatrix}} = \begin{{bmatrix}} {p} \end{{bmatrix}}$$
 
-with $C_1 = \cos q_1$, $S_2 = \sin q_2$, $C_{{23}} = \cos(q_2 + q_3)$, $S_{{234}} = \sin(q_2 + q_3 + q_4)$ and so on."""
+with $C_1 = \cos q_1$, $S_2 = \sin q_2$, $C_{{23}} = \cos(q_2 + q_3)$,
+$S_{{234}} = \sin(q_2 + q_3 + q_4)$ and so on."""
 
 
 def in_letters(p: Any) -> str:

@@ -1,7 +1,8 @@
 """The planar arm of S2 in all its forms, with those for which it may be mistaken.
 
-A form is the sense of each joint, +1 counter-clockwise, seen against z of frame 0, and the angle from link 1 to link 2
-where q2 = 0 [quarter turns]. A sheet draws one of the first nine; the others are only misread.
+A form is the sense of each joint, +1 counter-clockwise, seen against z of frame 0, and the angle
+from link 1 to link 2 where q2 = 0 [quarter turns]. A sheet draws one of the first nine; the others
+are only misread.
 """
 
 from collections.abc import Callable
@@ -220,17 +221,20 @@ def described(form: int) -> str:
     at_zero = "link 2 points the way link 1 points"
     if quarter:
         at_zero = f"link 2 stands at a right angle to link 1, 90° {way[quarter]} from the way link 1 points"
-    return rf"""Two links of lengths $l_1$ and $l_2$ move in the plane of $\mathbf x_0$ and $\mathbf y_0$. Frame 0 is fixed, its origin is on the
-axis of joint 1, and $\mathbf z_0$ points towards you. All turns are named as you see them from there.
+    return rf"""Two links of lengths $l_1$ and $l_2$ move in the plane of $\mathbf x_0$ and
+$\mathbf y_0$. Frame 0 is fixed, its origin is on the axis of joint 1, and $\mathbf z_0$ points
+towards you. All turns are named as you see them from there.
 
-- The arm is mounted at an angle: where $q_1 = 0$, link 1 points in the direction that $\mathbf x_0$ takes when it is turned by
-  $\beta$ counter-clockwise (clockwise if $\beta$ is negative).
+- The arm is mounted at an angle: where $q_1 = 0$, link 1 points in the direction that $\mathbf x_0$
+  takes when it is turned by $\beta$ counter-clockwise (clockwise if $\beta$ is negative).
 - Positive $q_1$ turns link 1 **{way[one]}**.
 - Positive $q_2$ turns link 2 **{way[two]}** against link 1; where $q_2 = 0$, {at_zero}.
 
-Frame 1 has its origin on the axis of joint 2, frame 2 at the tool point at the end of link 2. $\mathbf x_1$ points along link 1 and
-$\mathbf x_2$ along link 2, away from the base; $\mathbf z_1$ and $\mathbf z_2$ are parallel to $\mathbf z_0$. $x$ and $y$ are the
-coordinates of the tool point in frame 0, and $\theta$ is the angle from $\mathbf x_0$ to $\mathbf x_2$, counter-clockwise positive."""
+Frame 1 has its origin on the axis of joint 2, frame 2 at the tool point at the end of link 2.
+$\mathbf x_1$ points along link 1 and $\mathbf x_2$ along link 2, away from the base; $\mathbf z_1$
+and $\mathbf z_2$ are parallel to $\mathbf z_0$. $x$ and $y$ are the coordinates of the tool point
+in frame 0, and $\theta$ is the angle from $\mathbf x_0$ to $\mathbf x_2$, counter-clockwise
+positive."""
 
 
 def drawn(arm: Arm) -> list[Drawing]:

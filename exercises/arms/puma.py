@@ -11,7 +11,8 @@ from ..draws import angles, until
 
 PUMA = ROBOTS["puma560"]
 REACH = PUMA.parameters["a2"] + PUMA.parameters["d4"]  # [m]
-TABLE = f"""The Puma 560 has six revolute joints. Its table in the **standard** Denavit–Hartenberg convention (metres):
+TABLE = f"""The Puma 560 has six revolute joints. Its table in the **standard** Denavit–Hartenberg
+convention (metres):
 
 {printed_table(table_rows(PUMA, PUMA.parameters))}"""
 

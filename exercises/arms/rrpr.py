@@ -23,7 +23,8 @@ DEGREES = "Angles in degrees seem to have gone into a sine or cosine that takes 
 def robot(form: int, *, right_angle: str = "pi/2", level: bool = False) -> Robot:
     """The arm with the senses of `SENSES[form]`, with every length 1 m by default.
 
-    It is misread with another `right_angle`, and when it is `level`: with zero for the one in theta of row 3.
+    It is misread with another `right_angle`, and when it is `level`: with zero for the one in theta
+    of row 3.
     """
     alpha1, alpha2, theta3, alpha3 = (sense + right_angle for sense in SENSES[form])
     return Robot(
@@ -68,9 +69,10 @@ def in_degrees(form: int, arm: Arm) -> Arm:
 
 def described(arm: Arm) -> str:
     """What a sheet says of the arm: joints, table and frames."""
-    return rf"""An arm with revolute joints 1, 2 and 4 and a prismatic joint 3 (RRPR) has this table in the **standard**
-Denavit–Hartenberg convention, $\mathbf T_{{i-1}}^i = R_z(\theta_i)\,T_z(d_i)\,T_x(a_i)\,R_x(\alpha_i)$; the base frame
-is frame 0, the tool frame is frame 4:
+    return rf"""An arm with revolute joints 1, 2 and 4 and a prismatic joint 3 (RRPR) has this table
+in the **standard** Denavit–Hartenberg convention, $\mathbf T_{{i-1}}^i =
+R_z(\theta_i)\,T_z(d_i)\,T_x(a_i)\,R_x(\alpha_i)$; the base frame is frame 0, the tool frame is
+frame 4:
 
 {printed_table(table_rows(arm.robot))}"""
 

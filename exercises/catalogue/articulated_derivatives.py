@@ -1,7 +1,8 @@
 """S1 5.10, Example 2.25: the linear rows of a Jacobian by differentiating the position of the hand.
 
-S1 prints the position and the first row for an arm on the floor. Here the mounting, the zeros of joints 1 and 2 and the
-sense of joints 2 to 4 are drawn, and the shoulder stands beside axis 1, so that none of those rows is the answer.
+S1 prints the position and the first row for an arm on the floor. Here the mounting, the zeros of
+joints 1 and 2 and the sense of joints 2 to 4 are drawn, and the shoulder stands beside axis 1, so
+that none of those rows is the answer.
 """
 
 from typing import Any
@@ -38,10 +39,10 @@ def draw(rng: np.random.Generator) -> dict[str, Any]:
 
 def statement(arm: Arm, structure: int, point: int, away: Array) -> str:
     far, near = away
-    return rf"""{described(arm, structure)} The linear
-rows $\mathbf J_v$ of its Jacobian, $\dot{{\mathbf p}} = \mathbf J_v \dot{{\mathbf q}}$, are its derivatives: the entry in row $x$ and column
-$j$ is the derivative of $p_x$ with respect to $q_j$. Start from $\mathbf p$ as it is printed here; how the arm is mounted and where
-its joints are zero is personal.
+    return rf"""{described(arm, structure)} The linear rows $\mathbf J_v$ of its Jacobian,
+$\dot{{\mathbf p}} = \mathbf J_v \dot{{\mathbf q}}$, are its derivatives: the entry in row $x$ and
+column $j$ is the derivative of $p_x$ with respect to $q_j$. Start from $\mathbf p$ as it is printed
+here; how the arm is mounted and where its joints are zero is personal.
 
 For the last question: {POINTS[point].format(far=far, near=near)}."""
 
@@ -57,18 +58,20 @@ def row(i: int) -> Question:
     def solve(arm: Arm) -> ExpressionArray:
         return derivatives(arm.robot, i)
 
-    solve.__doc__ = rf"""Row {i + 1} of $\mathbf J_v$: the derivatives of $p_{x}$ with respect to $q_1, \ldots, q_6$, a list of six formulas as texts in
-    d1, a1, a2, a3, a4 and q1 to q6, {"written as in row 1" if i else WRITTEN}
+    solve.__doc__ = rf"""Row {i + 1} of $\mathbf J_v$: the derivatives of $p_{x}$ with respect to
+    $q_1, \ldots, q_6$, a list of six formulas as texts in d1, a1, a2, a3, a4 and q1 to q6,
+    {"written as in row 1" if i else WRITTEN}
 
     - All other joint variables are constants while you differentiate by one of them.
     - Write down first which terms of the coordinate hold that joint variable.
 
-    Row {i + 1} holds the derivatives of $p_{x}$. An angle such as $q_2 + q_3 + q_4$ changes with each of its joints,
-    so $q_2$ moves the links $a_2, a_3, a_4$, $q_3$ the links $a_3, a_4$ and $q_4$ the link $a_4$;
-    the derivative of a cosine is minus the sine, that of a sine the cosine.
+    Row {i + 1} holds the derivatives of $p_{x}$. An angle such as $q_2 + q_3 + q_4$ changes with
+    each of its joints, so $q_2$ moves the links $a_2, a_3, a_4$, $q_3$ the links $a_3, a_4$ and
+    $q_4$ the link $a_4$; the derivative of a cosine is minus the sine, that of a sine the cosine.
     $$p_{x} = <p>$$
 
-    The columns are the derivatives by $q_1 \ldots q_6$. Where $q_j$ does not stand in the formula, the entry is zero:
+    The columns are the derivatives by $q_1 \ldots q_6$. Where $q_j$ does not stand in the formula,
+    the entry is zero:
     $$\mathbf J_{{{i + 1}}} = <row>$$
     """
     return part(
@@ -108,7 +111,8 @@ def with_single_angles(
     mistakes=((SUMS, with_single_angles),),
 )
 def J(arm: Arm, x: ExpressionArray, y: ExpressionArray, z: ExpressionArray) -> Array:
-    r"""The linear block $\mathbf J_v$ at your $\mathbf q$ and with your lengths, a 3 × 6 matrix with the rows $x, y, z$ of the base frame
+    r"""The linear block $\mathbf J_v$ at your $\mathbf q$ and with your lengths, a 3 × 6 matrix
+    with the rows $x, y, z$ of the base frame
 
     - C23 takes the sum of two of your angles, in radians.
 
@@ -140,15 +144,16 @@ OPTIONS = (
 
 @part(2, Choice(OPTIONS), shows={"reason": lambda v: REASONS[v["point"]]})
 def point(point: int) -> str:
-    r"""For $\mathbf p$ the columns 5 and 6 of $\mathbf J_v$ are zero. Which statement about columns 5 and 6 of the linear rows is right for
-    the point $Q$, in a general posture?
+    r"""For $\mathbf p$ the columns 5 and 6 of $\mathbf J_v$ are zero. Which statement about columns
+    5 and 6 of the linear rows is right for the point $Q$, in a general posture?
 
     - A point on a joint's axis does not move when that joint turns.
     - Which links does a joint carry along?
 
-    Column $i$ of the linear rows is $\mathbf z_{i-1} \times (\mathbf p - \mathbf o_{i-1})$: it is zero for a point on the
-    axis of joint $i$, and for every point of the links in front of that joint. $\mathbf p$ lies on axes 5 and 6, which
-    cross there, so both its columns are zero. <reason>
+    Column $i$ of the linear rows is $\mathbf z_{i-1} \times (\mathbf p - \mathbf o_{i-1})$: it is
+    zero for a point on the axis of joint $i$, and for every point of the links in front of that
+    joint. $\mathbf p$ lies on axes 5 and 6, which cross there, so both its columns are zero.
+    <reason>
     """
     return "ceb"[point]
 

@@ -1,6 +1,7 @@
 """S2, S4: the columns of a Jacobian as cross products of axes and lever arms.
 
-The axes are skew and their lengths are whole: it can be done on paper, and no component hides a wrong sign.
+The axes are skew and their lengths are whole: it can be done on paper, and no component hides a
+wrong sign.
 """
 
 from typing import Any
@@ -121,12 +122,13 @@ WRONG_VELOCITY = (
 
 @part(1, Numbers((3,), "m/s", 3), credit="all", mistakes=WRONG_VELOCITY)
 def velocity(omega: Array, r: Array) -> Array:
-    r"""The velocity $\dot{\mathbf r} = \boldsymbol\omega \times \mathbf r$ of the point of the turning body, in m/s
+    r"""The velocity $\dot{\mathbf r} = \boldsymbol\omega \times \mathbf r$ of the point of the
+    turning body, in m/s
 
     - The result is perpendicular to both vectors: two dot products test it.
 
-    $\dot{\mathbf r} = \boldsymbol\omega \times \mathbf r = (\omega_y r_z - \omega_z r_y,\; \omega_z r_x - \omega_x r_z,\;
-    \omega_x r_y - \omega_y r_x)$. With your numbers:
+    $\dot{\mathbf r} = \boldsymbol\omega \times \mathbf r = (\omega_y r_z - \omega_z r_y,\;
+    \omega_z r_x - \omega_x r_z,\; \omega_x r_y - \omega_y r_x)$. With your numbers:
     $$\dot{\mathbf r} = <velocity>$$
     """
     return np.cross(omega, r)
@@ -164,14 +166,15 @@ SHOWN = {"z": lambda v: axes(v)[revolute(v)].T, "lever": lambda v: levers(v)[rev
 
 @part(4, Numbers((3, 2), "m/rad", 3), credit="column", shows=SHOWN, mistakes=WRONG_LINEAR)
 def linear(v: Variant) -> Array:
-    r"""The linear parts (velocity of the tool point at a unit rate) of the Jacobian's columns of the two revolute
-    joints, in the order of the joints, as the columns of a 3 × 2 matrix
+    r"""The linear parts (velocity of the tool point at a unit rate) of the Jacobian's columns of
+    the two revolute joints, in the order of the joints, as the columns of a 3 × 2 matrix
 
     - Which vector leads from the joint to the point whose velocity is asked?
     - An axis enters as a unit vector.
 
-    A unit rate of joint $i$ turns everything behind it with $\boldsymbol\omega = \mathbf z_i$, so the tool point moves
-    with $\mathbf z_i \times (\mathbf p - \mathbf p_i)$. The axes $\mathbf z_i$ of the two revolute joints:
+    A unit rate of joint $i$ turns everything behind it with $\boldsymbol\omega = \mathbf z_i$, so
+    the tool point moves with $\mathbf z_i \times (\mathbf p - \mathbf p_i)$. The axes $\mathbf z_i$
+    of the two revolute joints:
     $$<z>$$
 
     The lever arms $\mathbf p - \mathbf p_i$:
@@ -211,8 +214,9 @@ def slide(v: Variant) -> Array:
     - How does the tool turn when the joint slides?
     - Does it matter where the tool point is?
 
-    A unit rate of a prismatic joint moves everything behind it along $\mathbf z_i$ and turns nothing, wherever the tool
-    point is: $\mathbf z_i$ above zeros. With your numbers, $i = <joint>$:
+    A unit rate of a prismatic joint moves everything behind it along $\mathbf z_i$ and turns
+    nothing, wherever the tool point is: $\mathbf z_i$ above zeros. With your numbers,
+    $i = <joint>$:
     $$\mathbf J_i = <slide>$$
     """
     return whole(v)[:, slides(v)]
@@ -242,13 +246,14 @@ def stacked(v: Variant, linear: Array, slide: Array) -> Array:
     ),
 )
 def J(v: Variant, linear: Array, slide: Array) -> Array:
-    r"""The 6 × 3 Jacobian $\mathbf J$ of the tool point in base axes, columns in the order of the joints, linear rows
-    above angular rows
+    r"""The 6 × 3 Jacobian $\mathbf J$ of the tool point in base axes, columns in the order of the
+    joints, linear rows above angular rows
 
     - What stands below the linear part of a revolute joint's column?
 
-    Columns in the order of the joints: $\mathbf z_i \times (\mathbf p - \mathbf p_i)$ above $\mathbf z_i$ for a revolute
-    joint, $\mathbf z_i$ above zeros for the prismatic one. With your numbers:
+    Columns in the order of the joints: $\mathbf z_i \times (\mathbf p - \mathbf p_i)$ above
+    $\mathbf z_i$ for a revolute joint, $\mathbf z_i$ above zeros for the prismatic one. With your
+    numbers:
     $$\mathbf J = <J>$$
     """
     return stacked(v, linear, slide)
@@ -272,12 +277,13 @@ def statement(kinds: str) -> str:
     types = ", ".join(f"joint {i} is **{WORDS[kind]}**" for i, kind in enumerate(kinds, 1))
     return rf"""All vectors are in base axes.
 
-A body turns with the angular velocity $\boldsymbol\omega$ about an axis through a fixed point, and $\mathbf r$ leads from that point to
-a point of the body.
+A body turns with the angular velocity $\boldsymbol\omega$ about an axis through a fixed point, and
+$\mathbf r$ leads from that point to a point of the body.
 
-Apart from that, an arm has three joints, counted from the base: {types}. At this moment the axis of joint $i$ goes through
-the point $\mathbf p_i$ in the direction of $\mathbf w_i$; its unit vector is $\mathbf z_i = \mathbf w_i / \sqrt{{\mathbf w_i \cdot \mathbf w_i}}$ (the
-root is a whole number), and the joint turns about it, or slides along it, in its positive sense. The tool point is at
+Apart from that, an arm has three joints, counted from the base: {types}. At this moment the axis of
+joint $i$ goes through the point $\mathbf p_i$ in the direction of $\mathbf w_i$; its unit vector is
+$\mathbf z_i = \mathbf w_i / \sqrt{{\mathbf w_i \cdot \mathbf w_i}}$ (the root is a whole number),
+and the joint turns about it, or slides along it, in its positive sense. The tool point is at
 $\mathbf p$. Points are given by their coordinates in the base frame."""
 
 

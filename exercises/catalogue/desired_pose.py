@@ -15,13 +15,17 @@ from ..draws import angles, until
 from ..part import exercise, part
 
 ROBOT = ROBOTS["ur5"]
-TASK = r"""The tool frame shall come to $\mathbf T_{desired}$, printed to seven decimals. What is missing is
-$d\mathbf u = (d\mathbf p, d\mathbf w)$, six numbers in **base axes**: $d\mathbf p$ [m] leads from the tool point to the desired one, and
-$d\mathbf w$ [rad] is the axis times the angle of the rotation that turns the present tool axes $\mathbf R$ into the desired ones,
-$\mathbf R_{desired} = \mathbf R(d\mathbf w)\,\mathbf R$. $\mathbf J$ is the Jacobian of the tool point in base axes, linear rows first.
+TASK = r"""The tool frame shall come to $\mathbf T_{desired}$, printed to seven decimals. What is
+missing is $d\mathbf u = (d\mathbf p, d\mathbf w)$, six numbers in **base axes**: $d\mathbf p$ [m]
+leads from the tool point to the desired one, and $d\mathbf w$ [rad] is the axis times the angle of
+the rotation that turns the present tool axes $\mathbf R$ into the desired ones,
+$\mathbf R_{desired} = \mathbf R(d\mathbf w)\,\mathbf R$. $\mathbf J$ is the Jacobian of the tool
+point in base axes, linear rows first.
 
-A **step** adds to $\mathbf q$ the $d\mathbf q$ with $\mathbf J(\mathbf q)\,d\mathbf q = d\mathbf u$. That holds to first order only, so the tool does
-not quite arrive; a second step goes on from there. Compute with all digits and round only what you hand in."""
+A **step** adds to $\mathbf q$ the $d\mathbf q$ with
+$\mathbf J(\mathbf q)\,d\mathbf q = d\mathbf u$. That holds to first order only, so the tool does
+not quite arrive; a second step goes on from there. Compute with all digits and round only what you
+hand in."""
 
 
 def draw(rng: np.random.Generator) -> dict[str, Any]:
@@ -57,18 +61,22 @@ def is_telling(arm: Arm, goal: Array) -> bool:
     ],
 )
 def du(arm: Arm, goal: Array) -> Array:
-    r"""$d\mathbf u = (d\mathbf p, d\mathbf w)$ from the tool frame at your $\mathbf q$ to $\mathbf T_{desired}$
+    r"""$d\mathbf u = (d\mathbf p, d\mathbf w)$ from the tool frame at your $\mathbf q$ to
+    $\mathbf T_{desired}$
 
     - Where is the tool now? Multiply the transforms of the table.
-    - Solve the equation that defines $\mathbf R(d\mathbf w)$ for it; this matrix minus its transpose holds the axis and the sine.
+    - Solve the equation that defines $\mathbf R(d\mathbf w)$ for it; this matrix minus its
+      transpose holds the axis and the sine.
 
-    The transforms of the table, multiplied, give the tool frame; its rotation transposed stands behind the desired one:
+    The transforms of the table, multiplied, give the tool frame; its rotation transposed stands
+    behind the desired one:
     $$\mathbf T = <T>$$
 
     $$\mathbf R(d\mathbf w) = \mathbf R_{desired}\,\mathbf R^T = <turn>$$
 
-    Half the differences of its entries (3,2) - (2,3), (1,3) - (3,1), (2,1) - (1,2) are the axis times the sine of the angle. Divide
-    by their length, the sine, and multiply with the angle; above it stands $d\mathbf p = \mathbf p_{desired} - \mathbf p$:
+    Half the differences of its entries (3,2) - (2,3), (1,3) - (3,1), (2,1) - (1,2) are the axis
+    times the sine of the angle. Divide by their length, the sine, and multiply with the angle;
+    above it stands $d\mathbf p = \mathbf p_{desired} - \mathbf p$:
     $$d\mathbf u = <du>$$
     """
     return displacement(arm.T, goal)
@@ -116,11 +124,13 @@ def dq(arm: Arm, du: Array) -> Array:
     ),
 )
 def rest(arm: Arm, dq: Array, goal: Array) -> Array:
-    r"""The $d\mathbf u'$ that is still missing at $\mathbf q + d\mathbf q$, from the true tool frame there to $\mathbf T_{desired}$
+    r"""The $d\mathbf u'$ that is still missing at $\mathbf q + d\mathbf q$, from the true tool
+    frame there to $\mathbf T_{desired}$
 
     - Nothing new: as in the first question, at the new angles.
 
-    $\mathbf J\,d\mathbf q = d\mathbf u$ misses about the square of the step. The tool frame at $\mathbf q + d\mathbf q$, and $d\mathbf u'$ from there:
+    $\mathbf J\,d\mathbf q = d\mathbf u$ misses about the square of the step. The tool frame at
+    $\mathbf q + d\mathbf q$, and $d\mathbf u'$ from there:
     $$\mathbf T' = <T>$$
 
     $$d\mathbf u' = <rest>$$
@@ -141,7 +151,8 @@ def rest(arm: Arm, dq: Array, goal: Array) -> Array:
     ),
 )
 def second(arm: Arm, dq: Array, rest: Array) -> Array:
-    r"""The second step: $d\mathbf q'$ with $\mathbf J(\mathbf q + d\mathbf q)\,d\mathbf q' = d\mathbf u'$
+    r"""The second step: $d\mathbf q'$ with
+    $\mathbf J(\mathbf q + d\mathbf q)\,d\mathbf q' = d\mathbf u'$
 
     - The Jacobian belongs to the posture from which the step is taken.
 
@@ -164,11 +175,13 @@ def second(arm: Arm, dq: Array, rest: Array) -> Array:
     ),
 )
 def left(arm: Arm, dq: Array, second: Array, goal: Array) -> Array:
-    r"""Distance $|d\mathbf p|$ [m] and angle $|d\mathbf w|$ [rad] still missing after the second step; how much smaller are they?
+    r"""Distance $|d\mathbf p|$ [m] and angle $|d\mathbf w|$ [rad] still missing after the second
+    step; how much smaller are they?
 
     - As before at $\mathbf q + d\mathbf q + d\mathbf q'$, and then the lengths of the two halves.
 
-    They are <times> smaller than after the first step: a step leaves about the square of what was missing, times a constant.
+    They are <times> smaller than after the first step: a step leaves about the square of what was
+    missing, times a constant.
     $$(|d\mathbf p|, |d\mathbf w|) = <left>$$
     """
     return sizes(rest(arm, dq + second, goal))

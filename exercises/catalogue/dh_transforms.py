@@ -1,7 +1,8 @@
 """S2: from a Denavit-Hartenberg table to the transforms of the links and of the frames.
 
-S2 prints its columns as theta, alpha, r, d, other texts in other orders; here the order is drawn, so that labels have to
-be read. Its chain T_0^0 T_1^0 T_2^0 ... is a known mistake: taken literally it stops a link short, or has link 1 twice.
+S2 prints its columns as theta, alpha, r, d, other texts in other orders; here the order is drawn,
+so that labels have to be read. Its chain T_0^0 T_1^0 T_2^0 ... is a known mistake: taken literally
+it stops a link short, or has link 1 twice.
 """
 
 import re
@@ -110,15 +111,18 @@ def statement(v: Variant) -> str:
     head, *lines = (" | ".join(row[column] for column in order) for row in table)
     body = "\n".join(f"| ${i}$ | {line} |" for i, line in enumerate(lines, 1))
     body = re.sub(r"([adqs])(\d)", r"$\1_\2$", body).replace("+ −", "− ").replace(" + 0°", "")
-    return rf"""The table of an arm with three joints ({joint_types(v["kinds"])}) in the **standard** Denavit–Hartenberg convention:
+    return rf"""The table of an arm with three joints ({joint_types(v["kinds"])}) in the
+**standard** Denavit–Hartenberg convention:
 
 | $i$ | {head} |
 |:-:|:-:|:-:|:-:|:-:|
 {body}
 
-Mind the order of the columns: it is not the same in every table. From frame $i-1$, turn by $\theta_i$ about its $\mathbf z$ and go $d_i$ along it, then go $a_i$ along the new $\mathbf x$ and
-turn by $\alpha_i$ about it: that is frame $i$. Angles of the table are in degrees, the joint angles $q_i$ below in radians; $s_i$ is the
-stroke of a prismatic joint. A length may be negative. $\mathbf T_j^i$ is the 4 × 4 pose of frame $i$ in the coordinates of frame $j$."""
+Mind the order of the columns: it is not the same in every table. From frame $i-1$, turn by
+$\theta_i$ about its $\mathbf z$ and go $d_i$ along it, then go $a_i$ along the new $\mathbf x$ and
+turn by $\alpha_i$ about it: that is frame $i$. Angles of the table are in degrees, the joint angles
+$q_i$ below in radians; $s_i$ is the stroke of a prismatic joint. A length may be negative.
+$\mathbf T_j^i$ is the 4 × 4 pose of frame $i$ in the coordinates of frame $j$."""
 
 
 MODIFIED = "The steps of a row seem to be taken in the order of the modified convention; the table is in the standard convention."
@@ -162,14 +166,15 @@ POSE = [["1", "1", "1", "m"]] * 3 + [["1"] * 4]
     ),
 )
 def first(v: Variant) -> ExpressionArray:
-    r"""The transform $\mathbf T_0^1$ of row 1, as 4 × 4 formulas in `q1`, `a1`, `d1`, with a `*` in every product and angles in
-    radians (`pi/2` for 90°), such as `2*d1*cos(q1)`; sines and cosines of the right angles may be evaluated
+    r"""The transform $\mathbf T_0^1$ of row 1, as 4 × 4 formulas in `q1`, `a1`, `d1`, with a `*` in
+    every product and angles in radians (`pi/2` for 90°), such as `2*d1*cos(q1)`; sines and cosines
+    of the right angles may be evaluated
 
     - Which two motions of a row are about or along z, which about or along x?
     - What are sine and cosine of an angle that is shifted by a right angle?
 
-    In the standard convention $<general>$. Row 1 has $\theta_1 = q_1 <theta>$ and $\alpha_1 = <twist>$, so $\cos\alpha_1 = 0$ and
-    $\sin\alpha_1 = <sine>$:
+    In the standard convention $<general>$. Row 1 has $\theta_1 = q_1 <theta>$ and
+    $\alpha_1 = <twist>$, so $\cos\alpha_1 = 0$ and $\sin\alpha_1 = <sine>$:
     $$\mathbf T_0^1 = <first>$$
     """
     return closed(*rows(v)[0])
@@ -189,13 +194,14 @@ def first(v: Variant) -> ExpressionArray:
     ),
 )
 def links(v: Variant) -> Array:
-    r"""The transforms $\mathbf T_0^1, \mathbf T_1^2, \mathbf T_2^3$ of the three rows at your joint values, stacked to an array 3 × 4 × 4
+    r"""The transforms $\mathbf T_0^1, \mathbf T_1^2, \mathbf T_2^3$ of the three rows at your joint
+    values, stacked to an array 3 × 4 × 4
 
     - Write one function of theta, d, a, alpha and call it for each row.
     - sin and cos take radians.
 
-    Put each row into $<general>$. In a revolute row the joint variable is in $\theta_i$, in a prismatic row it is
-    $d_i$. With your numbers:
+    Put each row into $<general>$. In a revolute row the joint variable is in $\theta_i$, in a
+    prismatic row it is $d_i$. With your numbers:
     $$\mathbf T_0^1,\; \mathbf T_1^2,\; \mathbf T_2^3 = <links>$$
     """
     return standard_transform(numbers(v))
@@ -229,13 +235,14 @@ def literal_chain(links: Array) -> Array:
     ),
 )
 def frames(links: Array) -> Array:
-    r"""The poses $\mathbf T_0^2$ and $\mathbf T_0^3$ of frames 2 and 3 in frame 0, stacked to an array 2 × 4 × 4
+    r"""The poses $\mathbf T_0^2$ and $\mathbf T_0^3$ of frames 2 and 3 in frame 0, stacked to an
+    array 2 × 4 × 4
 
     - Neighbouring indices have to fit: where one factor ends, the next one starts.
     - Matrix products take @.
 
-    Each factor starts where the one before it ends: $\mathbf T_0^2 = \mathbf T_0^1\,\mathbf T_1^2$ and
-    $\mathbf T_0^3 = \mathbf T_0^2\,\mathbf T_2^3$. With your numbers:
+    Each factor starts where the one before it ends: $\mathbf T_0^2 = \mathbf T_0^1\,\mathbf T_1^2$
+    and $\mathbf T_0^3 = \mathbf T_0^2\,\mathbf T_2^3$. With your numbers:
     $$\mathbf T_0^2,\; \mathbf T_0^3 = <frames>$$
     """
     return np.array([links[0] @ links[1], links[0] @ links[1] @ links[2]])

@@ -1,7 +1,7 @@
 """S3 and S4: a Jacobian with one mistake, to be named and repaired. The mistakes are slips in the source texts.
 
-Structure and numbers of the arm are drawn, and so is the mistake. Every matrix that a known mistake leads to differs
-from every other one on the drawn arm, so that there is one right name.
+Structure and numbers of the arm are drawn, and so is the mistake. Every matrix that a known mistake
+leads to differs from every other one on the drawn arm, so that there is one right name.
 """
 
 from itertools import combinations
@@ -82,15 +82,15 @@ def slip_of(arm: Arm, W: Array) -> int:
     },
 )
 def name(arm: Arm, W: Array) -> str:
-    r"""Which mistake leads to $\mathbf W$? Here $\mathbf z_i$ and $\mathbf o_i$ are the axis $\mathbf z$ and the origin
-    of frame $i$, and $n = 4$
+    r"""Which mistake leads to $\mathbf W$? Here $\mathbf z_i$ and $\mathbf o_i$ are the axis
+    $\mathbf z$ and the origin of frame $i$, and $n = 4$
 
     - Which columns are wrong, and which of their rows?
     - Compute one revolute column and the prismatic one; that rules out most of the list.
 
-    Compute one revolute column, $\mathbf z_{i-1} \times (\mathbf o_4 - \mathbf o_{i-1})$ above $\mathbf z_{i-1}$, and
-    the prismatic one, $\mathbf z_2$ above zeros, and hold them beside $\mathbf W$. The axes
-    $\mathbf z_0 \ldots \mathbf z_4$ as columns:
+    Compute one revolute column, $\mathbf z_{i-1} \times (\mathbf o_4 - \mathbf o_{i-1})$ above
+    $\mathbf z_{i-1}$, and the prismatic one, $\mathbf z_2$ above zeros, and hold them beside
+    $\mathbf W$. The axes $\mathbf z_0 \ldots \mathbf z_4$ as columns:
     $$\left[\mathbf z_0 \cdots \mathbf z_4\right] = <axes>$$
 
     The origins $\mathbf o_0 \ldots \mathbf o_4$ as columns:
@@ -132,14 +132,15 @@ def reading(arm: Arm, W: Array, value: Array) -> str:
     mistakes=[(MODIFIED, modified)],
 )
 def J(arm: Arm) -> Array:
-    r"""The right 6 × 4 Jacobian $\mathbf J$ of the origin of frame 4 in base axes, linear rows above angular rows; the
-    columns that are wrong in $\mathbf W$ carry the points, and the others shall stay right
+    r"""The right 6 × 4 Jacobian $\mathbf J$ of the origin of frame 4 in base axes, linear rows
+    above angular rows; the columns that are wrong in $\mathbf W$ carry the points, and the others
+    shall stay right
 
     - The mistake you have named says which step of the computation to do again.
     - Check the result: move one joint a little and see where the tool point goes.
 
-    Revolute columns are $\mathbf z_{i-1} \times (\mathbf o_4 - \mathbf o_{i-1})$ above $\mathbf z_{i-1}$, the prismatic
-    one is $\mathbf z_2$ above zeros, all in base axes:
+    Revolute columns are $\mathbf z_{i-1} \times (\mathbf o_4 - \mathbf o_{i-1})$ above
+    $\mathbf z_{i-1}$, the prismatic one is $\mathbf z_2$ above zeros, all in base axes:
     $$\mathbf J = <J>$$
     """
     return arm.J
@@ -148,14 +149,16 @@ def J(arm: Arm) -> Array:
 def statement(arm: Arm) -> str:
     """The arm's table, and what was asked of whoever made the mistake."""
     table = printed_table(table_rows(arm.robot))
-    return rf"""This arm has two revolute joints, a prismatic joint and a third revolute joint (RRPR). Its table in the
-**standard** Denavit–Hartenberg convention, $\mathbf z_{{i-1}}$ along the axis of joint $i$:
+    return rf"""This arm has two revolute joints, a prismatic joint and a third revolute joint
+(RRPR). Its table in the **standard** Denavit–Hartenberg convention, $\mathbf z_{{i-1}}$ along the
+axis of joint $i$:
 
 {table}
 
-Asked for the 6 × 4 Jacobian $\mathbf J$ of the origin of frame 4, the tool frame, in base axes, linear rows above
-angular rows, at your $\mathbf q$, somebody handed in your matrix $\mathbf W$. It is rounded to three decimals and right
-but for **one** mistake, which was made wherever it can be made."""
+Asked for the 6 × 4 Jacobian $\mathbf J$ of the origin of frame 4, the tool frame, in base axes,
+linear rows above angular rows, at your $\mathbf q$, somebody handed in your matrix $\mathbf W$. It
+is rounded to three decimals and right but for **one** mistake, which was made wherever it can be
+made."""
 
 
 EXERCISE = exercise(

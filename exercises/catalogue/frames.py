@@ -1,7 +1,7 @@
 """S0 4.3 and S1 5.10: one Jacobian in three frames, and the 6 x 6 matrix that leads from one to another.
 
-Toolboxes call them by different words, so that the sheet names each by its axes and its point. The twist that is to be
-recognized carries no mark of the frame it was computed in.
+Toolboxes call them by different words, so that the sheet names each by its axes and its point. The
+twist that is to be recognized carries no mark of the frame it was computed in.
 """
 
 from itertools import combinations
@@ -96,16 +96,17 @@ def twists(T: Array, J: Array, tool: Array, origin: Array, qdot: Array) -> Array
     ),
 )
 def X(T: Array) -> Array:
-    r"""The 6 × 6 matrix $\mathbf X$ that turns every twist of the tool body (linear above angular), given in tool axes at the
-    tool point, into the same twist in base axes at the base origin; it holds for every twist, not only for those the joints
-    can give
+    r"""The 6 × 6 matrix $\mathbf X$ that turns every twist of the tool body (linear above angular),
+    given in tool axes at the tool point, into the same twist in base axes at the base origin; it
+    holds for every twist, not only for those the joints can give
 
     - Two steps: turn the axes, then move the point.
     - A cross product with p is a skew-symmetric matrix S(p).
 
-    First turn to base axes with $\begin{bmatrix}\mathbf R & \mathbf 0\\ \mathbf 0 & \mathbf R\end{bmatrix}$, then shift the
-    point with $\begin{bmatrix}\mathbf 1 & S(\mathbf p)\\ \mathbf 0 & \mathbf 1\end{bmatrix}$: the second matrix stands on
-    the left, and the product is
+    First turn to base axes with
+    $\begin{bmatrix}\mathbf R & \mathbf 0\\ \mathbf 0 & \mathbf R\end{bmatrix}$, then shift the
+    point with $\begin{bmatrix}\mathbf 1 & S(\mathbf p)\\ \mathbf 0 & \mathbf 1\end{bmatrix}$: the
+    second matrix stands on the left, and the product is
     $$\mathbf X = \begin{bmatrix}\mathbf R & S(\mathbf p) \mathbf R\\ \mathbf 0 & \mathbf R\end{bmatrix} = <X>$$
     """
     return shift(T) @ turn(T)
@@ -120,8 +121,9 @@ def which(T: Array, J: Array, tool: Array, origin: Array, qdot: Array, xi: Array
     - Compare the angular velocities first.
     - A Jacobian times the rates is a twist in the same frame.
 
-    Multiply each Jacobian with the rates and compare. The angular velocity tells base axes from tool axes; the linear
-    velocity tells the points apart. Your twist is <frame>. The four twists, one in each column:
+    Multiply each Jacobian with the rates and compare. The angular velocity tells base axes from
+    tool axes; the linear velocity tells the points apart. Your twist is <frame>. The four twists,
+    one in each column:
     $$\left[\boldsymbol\xi_a\; \boldsymbol\xi_b\; \boldsymbol\xi_c\; \boldsymbol\xi_d\right] = <twists>$$
     """
     misses = np.linalg.norm(twists(T, J, tool, origin, qdot) - xi[:, None], axis=0)
@@ -131,15 +133,17 @@ def which(T: Array, J: Array, tool: Array, origin: Array, qdot: Array, xi: Array
 def statement(arm: Arm) -> str:
     return rf"""{described(arm)}
 
-The same motion has a different Jacobian in each frame, and toolboxes print different ones without saying so. A frame is
-named here by its **axes**, along which the components are taken, and by its **point**: the linear velocity is that of the point
-of the tool body which is at that place now, where the body is imagined to be as large as needed.
+The same motion has a different Jacobian in each frame, and toolboxes print different ones without
+saying so. A frame is named here by its **axes**, along which the components are taken, and by its
+**point**: the linear velocity is that of the point of the tool body which is at that place now,
+where the body is imagined to be as large as needed.
 
 - **base axes, tool point**: `jacob0` of roboticstoolbox, LOCAL_WORLD_ALIGNED of Pinocchio
 - **tool axes, tool point**: `jacobe`, `jacobn` of roboticstoolbox, LOCAL of Pinocchio
 - **base axes, base origin**: WORLD of Pinocchio
 
-In the last question $\boldsymbol\xi$ (linear above angular) is the twist that some toolbox printed for the joint rates $\dot{{\mathbf q}}$."""
+In the last question $\boldsymbol\xi$ (linear above angular) is the twist that some toolbox printed
+for the joint rates $\dot{{\mathbf q}}$."""
 
 
 EXERCISE = exercise(

@@ -1,7 +1,7 @@
 """S2, "one code to rule them all": the Jacobian of any arm from its Denavit-Hartenberg table, as a function.
 
-The function is called with robots that the student has not seen. Who works without Python hands in what it would return
-for the published robots.
+The function is called with robots that the student has not seen. Who works without Python hands in
+what it would return for the published robots.
 """
 
 from typing import Any
@@ -20,25 +20,27 @@ GROUPS = {
     "7R": ("RRRRRRR",) * 3,
 }
 PUBLISHED = ("RRR", "RRP", "RPRRRR")
-STATEMENT = r"""Write a Python function `implement_it_jacobian(dh, kinds, q)` that returns the Jacobian of **any**
-serial arm.
+STATEMENT = r"""Write a Python function `implement_it_jacobian(dh, kinds, q)` that returns the
+Jacobian of **any** serial arm.
 
-- `dh` is an $n$ × 4 array, one row $\theta_i, d_i, a_i, \alpha_i$ per joint, in this order, in the **standard**
-  Denavit–Hartenberg convention (joint $i$ moves about or along $\mathbf z_{i-1}$). Angles are in radians, lengths in
-  metres.
-- `kinds` is a string of $n$ letters, such as `"RRP"`: R for a revolute joint, P for a prismatic one.
-- `q` is an array of the $n$ joint variables, in radians or metres. $q_i$ is **added** to $\theta_i$ of a revolute joint
-  and to $d_i$ of a prismatic one; what stands in the table is its offset.
-- The result is a 6 × $n$ array: $\mathbf J$ of the origin of frame $n$, in the axes of base frame 0, linear rows above
-  angular rows.
+- `dh` is an $n$ × 4 array, one row $\theta_i, d_i, a_i, \alpha_i$ per joint, in this order, in the
+  **standard** Denavit–Hartenberg convention (joint $i$ moves about or along $\mathbf z_{i-1}$).
+  Angles are in radians, lengths in metres.
+- `kinds` is a string of $n$ letters, such as `"RRP"`: R for a revolute joint, P for a prismatic
+  one.
+- `q` is an array of the $n$ joint variables, in radians or metres. $q_i$ is **added** to $\theta_i$
+  of a revolute joint and to $d_i$ of a prismatic one; what stands in the table is its offset.
+- The result is a 6 × $n$ array: $\mathbf J$ of the origin of frame $n$, in the axes of base frame
+  0, linear rows above angular rows.
 
-It is called for arms that you do not see: planar ones, arms with prismatic joints, arms with six and with seven
-revolute joints; each of these four groups is worth the same. Numpy is there as `np`; results are compared to six
-digits.
+It is called for arms that you do not see: planar ones, arms with prismatic joints, arms with six
+and with seven revolute joints; each of these four groups is worth the same. Numpy is there as `np`;
+results are compared to six digits.
 
-The tables `dh_1, dh_2, dh_3` and the joint variables `joints_1, joints_2, joints_3` of your numbers are three arms to
-try it with: robot 1 `RRR`, robot 2 `RRP`, robot 3 `RPRRRR`. If you work **without Python** and hand in a file of
-numbers (.json, .csv, .mat), it holds the three Jacobians of these arms, in this order, in place of the function."""
+The tables `dh_1, dh_2, dh_3` and the joint variables `joints_1, joints_2, joints_3` of your numbers
+are three arms to try it with: robot 1 `RRR`, robot 2 `RRP`, robot 3 `RPRRRR`. If you work **without
+Python** and hand in a file of numbers (.json, .csv, .mat), it holds the three Jacobians of these
+arms, in this order, in place of the function."""
 
 
 def draw(rng: np.random.Generator) -> dict[str, Any]:
@@ -103,14 +105,16 @@ def jacobian() -> TableFunction:
     - Keep all the transforms from the base, that of frame 0 too.
     - Test it: move one joint by 1e-6 and divide the way of the origin by that.
 
-    Row $i$ gives $\mathbf T_{i-1}^{i} = R_z(\theta_i)\,T_z(d_i)\,T_x(a_i)\,R_x(\alpha_i)$, with $q_i$ added to
-    $\theta_i$ of a revolute and to $d_i$ of a prismatic joint, and $\mathbf T_0^{i} = \mathbf T_0^{i-1} \mathbf
-    T_{i-1}^{i}$, beginning with $\mathbf T_0^{0} = \mathbf I$. (S2 prints the product as $\mathbf T_0^0 \mathbf T_1^0
-    \mathbf T_2^0 \cdots$ in one place; each factor leads from one frame to the next.)
+    Row $i$ gives $\mathbf T_{i-1}^{i} = R_z(\theta_i)\,T_z(d_i)\,T_x(a_i)\,R_x(\alpha_i)$, with
+    $q_i$ added to $\theta_i$ of a revolute and to $d_i$ of a prismatic joint, and
+    $\mathbf T_0^{i} = \mathbf T_0^{i-1} \mathbf T_{i-1}^{i}$, beginning with
+    $\mathbf T_0^{0} = \mathbf I$. (S2 prints the product as
+    $\mathbf T_0^0 \mathbf T_1^0 \mathbf T_2^0 \cdots$ in one place; each factor leads from one
+    frame to the next.)
 
-    $\mathbf z_{i-1}$ and $\mathbf o_{i-1}$ are the third and the fourth column of $\mathbf T_0^{i-1}$. Column $i$ is
-    $\mathbf z_{i-1} \times (\mathbf o_n - \mathbf o_{i-1})$ above $\mathbf z_{i-1}$ (revolute), or $\mathbf z_{i-1}$
-    above zeros (prismatic).
+    $\mathbf z_{i-1}$ and $\mathbf o_{i-1}$ are the third and the fourth column of
+    $\mathbf T_0^{i-1}$. Column $i$ is $\mathbf z_{i-1} \times (\mathbf o_n - \mathbf o_{i-1})$
+    above $\mathbf z_{i-1}$ (revolute), or $\mathbf z_{i-1}$ above zeros (prismatic).
 
     For robot 2 it returns:
     $$\mathbf J = <J_2>$$
@@ -131,8 +135,9 @@ def jacobian() -> TableFunction:
     ),
 )
 def steps() -> str:
-    """Which steps from an arm on the table to its Jacobian are done by hand, and which are automated by your function?
-    Say in your own words what each step takes and gives, and why those by hand cannot be automated in the same way
+    """Which steps from an arm on the table to its Jacobian are done by hand, and which are
+    automated by your function? Say in your own words what each step takes and gives, and why those
+    by hand cannot be automated in the same way
 
     - Which steps are the same for every arm?
 

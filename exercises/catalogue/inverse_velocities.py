@@ -1,8 +1,9 @@
 """S3 5.2: inverse velocities of the Puma 560 where J has no inverse.
 
-The wrist axes meet in the tool point: J has a linear block of joints 1 to 3 (the arm), zeros beside it, and an angular
-block of joints 4 to 6 (the wrist). S3 says that near a singular configuration a joint's influence becomes almost zero;
-in fact columns become linearly dependent. The elbow is singular at tan q3 = -d4/a3, not at -90 and 90 degrees.
+The wrist axes meet in the tool point: J has a linear block of joints 1 to 3 (the arm), zeros beside
+it, and an angular block of joints 4 to 6 (the wrist). S3 says that near a singular configuration a
+joint's influence becomes almost zero; in fact columns become linearly dependent. The elbow is
+singular at tan q3 = -d4/a3, not at -90 and 90 degrees.
 """
 
 from typing import Any
@@ -43,15 +44,18 @@ SOLUTIONS = ("none", "exactly one", "infinitely many")
 
 STATEMENT = rf"""{TABLE}
 
-The tool frame is frame 6; its origin is the point where axes 4, 5 and 6 meet, the **wrist centre**. All velocities are those of
-this point, in the axes of frame 0. Two blocks of $\mathbf J$ have names: the **arm block** $\mathbf A$, the linear rows of joints 1, 2, 3, and
-the **wrist block** $\mathbf W$, the angular rows of joints 4, 5, 6 (both 3 × 3).
+The tool frame is frame 6; its origin is the point where axes 4, 5 and 6 meet, the **wrist centre**.
+All velocities are those of this point, in the axes of frame 0. Two blocks of $\mathbf J$ have
+names: the **arm block** $\mathbf A$, the linear rows of joints 1, 2, 3, and the **wrist block**
+$\mathbf W$, the angular rows of joints 4, 5, 6 (both 3 × 3).
 
-Your $\mathbf q$ is a singular posture or very near one: it is rounded to six decimals at most. Count a singular value as zero when it is
-less than a thousandth of the largest one of its matrix, and a velocity as reached when it is met to three decimals.
+Your $\mathbf q$ is a singular posture or very near one: it is rounded to six decimals at most.
+Count a singular value as zero when it is less than a thousandth of the largest one of its matrix,
+and a velocity as reached when it is met to three decimals.
 
-$\boldsymbol\xi$ (linear above angular, for the fifth question) is a prescribed twist. The lengths $a_3$ and $d_4$ among your numbers are for
-the **last question only**: there the forearm of the Puma is exchanged for another one."""
+$\boldsymbol\xi$ (linear above angular, for the fifth question) is a prescribed twist. The lengths
+$a_3$ and $d_4$ among your numbers are for the **last question only**: there the forearm of the Puma
+is exchanged for another one."""
 
 
 def draw(rng: np.random.Generator) -> dict[str, Any]:
@@ -120,11 +124,12 @@ def J(arm: Arm) -> Array:
     - Column i takes the z axis and the origin of frame i - 1.
     - Which joints cannot move the wrist centre?
 
-    Column $i$ is $\mathbf z_{i-1} \times (\mathbf o_6 - \mathbf o_{i-1})$ above $\mathbf z_{i-1}$. The axes $\mathbf z_0 \ldots \mathbf z_5$ as columns:
+    Column $i$ is $\mathbf z_{i-1} \times (\mathbf o_6 - \mathbf o_{i-1})$ above $\mathbf z_{i-1}$.
+    The axes $\mathbf z_0 \ldots \mathbf z_5$ as columns:
     $$\left[\mathbf z_0 \cdots \mathbf z_5\right] = <axes>$$
 
-    The tool point is the wrist centre, $\mathbf o_6 = \mathbf o_5 = \mathbf o_4 = \mathbf o_3$: the wrist cannot move it, and
-    the upper right block is zero.
+    The tool point is the wrist centre, $\mathbf o_6 = \mathbf o_5 = \mathbf o_4 = \mathbf o_3$: the
+    wrist cannot move it, and the upper right block is zero.
     $$\mathbf J = \begin{bmatrix}\mathbf A & \mathbf 0\\ \mathbf C & \mathbf W\end{bmatrix} = <J>$$
     """
     return arm.J
@@ -156,13 +161,15 @@ def sizes(J: Array) -> str:
     ],
 )
 def ranks(J: Array) -> Array:
-    r"""The ranks of $\mathbf J$, of $\mathbf A$ and of $\mathbf W$ at your $\mathbf q$, in this order
+    r"""The ranks of $\mathbf J$, of $\mathbf A$ and of $\mathbf W$ at your $\mathbf q$, in this
+    order
 
     - A program counts singular values; what counts as zero is said above.
     - One posture, three ranks.
 
-    The rank is the number of singular values that are not zero. It depends on $\mathbf q$: a Puma has six degrees of freedom,
-    and rank 6 at most postures. Where $\mathbf A$ or $\mathbf W$ loses one, so does $\mathbf J$.
+    The rank is the number of singular values that are not zero. It depends on $\mathbf q$: a Puma
+    has six degrees of freedom, and rank 6 at most postures. Where $\mathbf A$ or $\mathbf W$ loses
+    one, so does $\mathbf J$.
 
     Singular values <sizes>. The ranks:
     $$\left(\mathrm{rank}\,\mathbf J, \mathrm{rank}\,\mathbf A, \mathrm{rank}\,\mathbf W\right) = <ranks>$$
@@ -181,8 +188,9 @@ def reason(arm: Arm) -> str:
     - The determinant of J is that of A times that of W.
     - Which joints does each case depend on?
 
-    $\mathbf J$ is 6 × 6. With the zero block, $\det \mathbf J = \det \mathbf A \cdot \det \mathbf W$; it is the product of a
-    length and of one factor each for wrist, elbow and shoulder:
+    $\mathbf J$ is 6 × 6. With the zero block,
+    $\det \mathbf J = \det \mathbf A \cdot \det \mathbf W$; it is the product of a length and of one
+    factor each for wrist, elbow and shoulder:
     $$\det \mathbf J = <det>$$
 
     Wrist, elbow and shoulder factor at your posture; the one that is zero names the reason:
@@ -199,16 +207,18 @@ def reason(arm: Arm) -> str:
     tolerance=ANGLE,
 )
 def lost(J: Array) -> Array:
-    r"""The unit vector $\mathbf u$ of the direction that is lost, in base axes, with either sign: along $\mathbf u$ joints 1, 2, 3
-    give the wrist centre no velocity if it is $\mathbf A$ that loses rank; about $\mathbf u$ joints 4, 5, 6 give the tool no angular
-    velocity if it is $\mathbf W$
+    r"""The unit vector $\mathbf u$ of the direction that is lost, in base axes, with either sign:
+    along $\mathbf u$ joints 1, 2, 3 give the wrist centre no velocity if it is $\mathbf A$ that
+    loses rank; about $\mathbf u$ joints 4, 5, 6 give the tool no angular velocity if it is
+    $\mathbf W$
 
     - Which vector is normal to all three columns of the block?
     - Left or right: u^T A = 0 is not A u = 0.
 
-    A velocity $\mathbf v$ is reached when it is a combination of the columns of the block. They are linearly dependent and span a
-    plane; lost is its normal $\mathbf u$, with $\mathbf u^T \mathbf A = \mathbf 0$ or $\mathbf u^T \mathbf W = \mathbf 0$: the
-    cross product of two columns that are not parallel, or the last left singular vector. Its sign is free:
+    A velocity $\mathbf v$ is reached when it is a combination of the columns of the block. They are
+    linearly dependent and span a plane; lost is its normal $\mathbf u$, with
+    $\mathbf u^T \mathbf A = \mathbf 0$ or $\mathbf u^T \mathbf W = \mathbf 0$: the cross product of
+    two columns that are not parallel, or the last left singular vector. Its sign is free:
     $$\mathbf u = <lost>$$
     """
     return lost_direction(weakest(blocks(J)))
@@ -220,14 +230,16 @@ def lost(J: Array) -> Array:
     shows={"left": left_over, "found": lambda solutions: SOLUTIONS[LETTERS.index(solutions)]},
 )
 def solutions(J: Array, xi: Array) -> str:
-    r"""How many joint rates $\dot{\mathbf q}$ give your twist $\boldsymbol\xi$ at your $\mathbf q$: $\mathbf J \dot{\mathbf q} = \boldsymbol\xi$,
-    all six components prescribed
+    r"""How many joint rates $\dot{\mathbf q}$ give your twist $\boldsymbol\xi$ at your $\mathbf q$:
+    $\mathbf J \dot{\mathbf q} = \boldsymbol\xi$, all six components prescribed
 
     - Compare the twist with the range of J.
     - A posture without inverse may still allow a given velocity.
 
-    $\mathbf J \dot{\mathbf q} = \boldsymbol\xi$ has a solution exactly when the best $\dot{\mathbf q} = \mathbf J^{+} \boldsymbol\xi$ leaves
-    nothing over. Rates with $\mathbf J \dot{\mathbf q} = \mathbf 0$ may then be added at will, and at rank 5 there are such. What is left over:
+    $\mathbf J \dot{\mathbf q} = \boldsymbol\xi$ has a solution exactly when the best
+    $\dot{\mathbf q} = \mathbf J^{+} \boldsymbol\xi$ leaves nothing over. Rates with
+    $\mathbf J \dot{\mathbf q} = \mathbf 0$ may then be added at will, and at rank 5 there are such.
+    What is left over:
     $$\mathbf J \mathbf J^{+} \boldsymbol\xi - \boldsymbol\xi = <left>$$
 
     So there are: <found>.
@@ -270,14 +282,16 @@ def judged_elbow(a3: float, d4: float, elbow: Array, value: Array) -> Outcome:
 
 @part(2, Configurations(1), check=judged_elbow, shows={"angles": lambda elbow: elbow[:, 0]})
 def elbow(a3: float, d4: float) -> Array:
-    r"""All $q_3$ in $(-\pi, \pi]$ at which the elbow is singular when the forearm has your $a_3$ and $d_4$ in place of the numbers
-    of rows 3 and 4 of the table (all other cells stay), in radians with 4 decimals
+    r"""All $q_3$ in $(-\pi, \pi]$ at which the elbow is singular when the forearm has your $a_3$
+    and $d_4$ in place of the numbers of rows 3 and 4 of the table (all other cells stay), in
+    radians with 4 decimals
 
     - At which angles do axes 2 and 3 and the wrist centre lie in one plane?
     - There is more than one.
 
-    The factor of the elbow holds $q_3$ alone: $a_3 \sin q_3 + d_4 \cos q_3 = 0$, so $\tan q_3 = -\frac{d_4}{a_3}$. The tangent
-    repeats after $\pi$, which gives two angles in $(-\pi, \pi]$: the arm stretched and the arm folded.
+    The factor of the elbow holds $q_3$ alone: $a_3 \sin q_3 + d_4 \cos q_3 = 0$, so
+    $\tan q_3 = -\frac{d_4}{a_3}$. The tangent repeats after $\pi$, which gives two angles in
+    $(-\pi, \pi]$: the arm stretched and the arm folded.
     $$q_3 = <angles>$$
     """
     first = -np.arctan2(d4, a3)

@@ -1,7 +1,8 @@
 """S2: the planar arm with two revolute joints, by trigonometry and by transforms.
 
-S2 prints the answers for an arm whose angles all count counter-clockwise from x. Here the arm is mounted at an angle beta,
-at least one joint counts clockwise, and link 2 may stand at a right angle to link 1 where q2 = 0.
+S2 prints the answers for an arm whose angles all count counter-clockwise from x. Here the arm is
+mounted at an angle beta, at least one joint counts clockwise, and link 2 may stand at a right angle
+to link 1 where q2 = 0.
 """
 
 from typing import Any
@@ -39,15 +40,17 @@ from ..properties import up_to_full_turns
     shows=arms.ANGLES,
 )
 def pose(form: int) -> list[str]:
-    r"""The pose $(x, y, \theta)$ of frame 2 in frame 0, as three formulas in `l1`, `l2`, `beta`, `q1`, `q2`, with a `*` in
-    every product and angles in radians (`pi/2` for 90°), such as `l1*cos(q1)`
+    r"""The pose $(x, y, \theta)$ of frame 2 in frame 0, as three formulas in `l1`, `l2`, `beta`,
+    `q1`, `q2`, with a `*` in every product and angles in radians (`pi/2` for 90°), such as
+    `l1*cos(q1)`
 
     - Which angle does each link make with $\mathbf x_0$?
     - A joint that counts clockwise lowers the angle of everything behind it.
 
-    Add the angles from $\mathbf x_0$ on: the mounting angle, each joint with its sense, and what stands between the links
-    where $q_2 = 0$. Link 1 has the angle $<angle1>$, link 2 the angle $<angle2>$. A link of length $l$ at an
-    angle $\psi$ leads on by $(l \cos\psi,\; l \sin\psi)$; the tool has the angle of link 2:
+    Add the angles from $\mathbf x_0$ on: the mounting angle, each joint with its sense, and what
+    stands between the links where $q_2 = 0$. Link 1 has the angle $<angle1>$, link 2 the angle
+    $<angle2>$. A link of length $l$ at an angle $\psi$ leads on by $(l \cos\psi,\; l \sin\psi)$;
+    the tool has the angle of link 2:
     $$\begin{bmatrix} x \\ y \\ \theta \end{bmatrix} = <pose>$$
     """
     return arms.pose(form)
@@ -68,14 +71,15 @@ def pose(form: int) -> list[str]:
     ),
 )
 def J_symbolic(pose: ExpressionArray) -> Any:
-    r"""The 3 × 2 Jacobian of $(x, y, \theta)$ with respect to $(q_1, q_2)$, rows in the order $x, y, \theta$, as formulas in
-    `l1`, `l2`, `beta`, `q1`, `q2`
+    r"""The 3 × 2 Jacobian of $(x, y, \theta)$ with respect to $(q_1, q_2)$, rows in the order
+    $x, y, \theta$, as formulas in `l1`, `l2`, `beta`, `q1`, `q2`
 
     - The derivative of an angle sum with respect to one joint may be negative.
     - Which links move when only $q_2$ changes?
 
-    Differentiate row by row: $d \cos\psi = -\sin\psi \, d\psi$ and $d \sin\psi = \cos\psi \, d\psi$, where $\psi$
-    may fall as $q_i$ grows. Both links turn with $q_1$, link 2 alone with $q_2$:
+    Differentiate row by row: $d \cos\psi = -\sin\psi \, d\psi$ and
+    $d \sin\psi = \cos\psi \, d\psi$, where $\psi$ may fall as $q_i$ grows. Both links turn with
+    $q_1$, link 2 alone with $q_2$:
     $$\mathbf J = <J_symbolic>$$
     """
     return jacobian_of_position(pose, arms.SOURCE, NAMES, rows=2)
@@ -97,13 +101,14 @@ def J_symbolic(pose: ExpressionArray) -> Any:
     shows=arms.ANGLES,
 )
 def T(v: Variant) -> Array:
-    r"""The transforms $\mathbf T_0^1$ and $\mathbf T_0^2$ (poses of frames 1 and 2 in frame 0) at your $\mathbf q$, stacked to an
-    array 2 × 4 × 4
+    r"""The transforms $\mathbf T_0^1$ and $\mathbf T_0^2$ (poses of frames 1 and 2 in frame 0) at
+    your $\mathbf q$, stacked to an array 2 × 4 × 4
 
     - Turn first, then go along the link.
     - $\mathbf T_0^2 = \mathbf T_0^1\,\mathbf T_1^2$
 
-    $\mathbf T_0^1 = R_z(<angle1>)\,T_x(l_1)$ and $\mathbf T_0^2 = \mathbf T_0^1\,R_z(<bend>)\,T_x(l_2)$. With your numbers:
+    $\mathbf T_0^1 = R_z(<angle1>)\,T_x(l_1)$ and
+    $\mathbf T_0^2 = \mathbf T_0^1\,R_z(<bend>)\,T_x(l_2)$. With your numbers:
     $$\mathbf T_0^1,\; \mathbf T_0^2 = <T>$$
     """
     return arms.transforms(v)
@@ -129,18 +134,20 @@ def T(v: Variant) -> Array:
     },
 )
 def J(arm: Arm, T: Array) -> Array:
-    r"""The 6 × 2 Jacobian $\mathbf J$ of the tool point in the axes of frame 0 at your $\mathbf q$, rows
-    $v_x, v_y, v_z, \omega_x, \omega_y, \omega_z$, from the transforms
+    r"""The 6 × 2 Jacobian $\mathbf J$ of the tool point in the axes of frame 0 at your $\mathbf q$,
+    rows $v_x, v_y, v_z, \omega_x, \omega_y, \omega_z$, from the transforms
 
     - The axis of a joint that counts clockwise points the other way.
     - Compare with your formulas at your numbers.
 
-    Column $i$ is $\mathbf z \times (\mathbf o_2 - \mathbf o_{i-1})$ above $\mathbf z$, where $\mathbf z$ is the axis of
-    joint $i$ in its positive sense and $\mathbf o_{i-1}$ the origin of frame $i-1$, which lies on it. Here
-    $\mathbf z = (0, 0, <sense1>)$ for joint 1 and $(0, 0, <sense2>)$ for joint 2:
+    Column $i$ is $\mathbf z \times (\mathbf o_2 - \mathbf o_{i-1})$ above $\mathbf z$, where
+    $\mathbf z$ is the axis of joint $i$ in its positive sense and $\mathbf o_{i-1}$ the origin of
+    frame $i-1$, which lies on it. Here $\mathbf z = (0, 0, <sense1>)$ for joint 1 and
+    $(0, 0, <sense2>)$ for joint 2:
     $$\mathbf J = <J>$$
 
-    Rows 1, 2 and 6 are the formulas of the 3 × 2 Jacobian at your numbers; the others are zero in the plane.
+    Rows 1, 2 and 6 are the formulas of the 3 × 2 Jacobian at your numbers; the others are zero in
+    the plane.
     """
     return columns(arm.axes.T, arms.levers(T), "RR")
 

@@ -123,17 +123,19 @@ def frames(arm: Arm) -> Array:
     ),
 )
 def last(frames: Array) -> Array:
-    r"""Column 3 of $\mathbf J^{6}$ at your $\mathbf q$, in the axes of frame 6: six numbers, linear rows first
+    r"""Column 3 of $\mathbf J^{6}$ at your $\mathbf q$, in the axes of frame 6: six numbers, linear
+    rows first
 
     - Column 3 takes the pose of frame 6 in frame 2.
     - A slide does not turn the hand.
 
-    Joint 3 slides along $\mathbf z_2$. Its column in the axes of frame 6 comes from $\mathbf T_2^{6}$, the product of rows 3
-    to 6, with the columns $\mathbf n, \mathbf o, \mathbf a, \mathbf p$:
+    Joint 3 slides along $\mathbf z_2$. Its column in the axes of frame 6 comes from
+    $\mathbf T_2^{6}$, the product of rows 3 to 6, with the columns
+    $\mathbf n, \mathbf o, \mathbf a, \mathbf p$:
     $$\mathbf T_2^{6} = <T26>$$
 
-    It is $(n_z, o_z, a_z, 0, 0, 0)$: the third row of the rotation, which is $\mathbf z_2$ in the axes of frame 6, above
-    zeros, since a slide does not turn the hand:
+    It is $(n_z, o_z, a_z, 0, 0, 0)$: the third row of the rotation, which is $\mathbf z_2$ in the
+    axes of frame 6, above zeros, since a slide does not turn the hand:
     $$\mathbf J_3^{6} = <last>$$
     """
     return in_last_frame(frames, "P")
@@ -152,11 +154,13 @@ def last(frames: Array) -> Array:
     ),
 )
 def base(frames: Array) -> Array:
-    r"""Column 3 of $\mathbf J^{0}$ at your $\mathbf q$, in base axes: six numbers, linear rows first
+    r"""Column 3 of $\mathbf J^{0}$ at your $\mathbf q$, in base axes: six numbers, linear rows
+    first
 
     - Along which axis does joint 3 slide?
 
-    In base axes the column is $\mathbf z_2$ above zeros, and $\mathbf z_2$ is the third column of the rotation in $\mathbf T_0^{2}$:
+    In base axes the column is $\mathbf z_2$ above zeros, and $\mathbf z_2$ is the third column of
+    the rotation in $\mathbf T_0^{2}$:
     $$\mathbf J_3^{0} = <closed>$$
 
     With your numbers:
@@ -195,8 +199,9 @@ def J(base: Array, frames: Array) -> Array:
     - Frames 2 and 3 have the same axes, but not the same origin.
     - The lever arm of every revolute column ends at the origin of frame 6.
 
-    The other joints are revolute: column $i$ is $\mathbf z_{i-1} \times (\mathbf o_6 - \mathbf o_{i-1})$ above
-    $\mathbf z_{i-1}$. The axes $\mathbf z_0 \ldots \mathbf z_5$ as columns:
+    The other joints are revolute: column $i$ is
+    $\mathbf z_{i-1} \times (\mathbf o_6 - \mathbf o_{i-1})$ above $\mathbf z_{i-1}$. The axes
+    $\mathbf z_0 \ldots \mathbf z_5$ as columns:
     $$\left[\mathbf z_0 \cdots \mathbf z_5\right] = <z>$$
 
     The origins $\mathbf o_0 \ldots \mathbf o_6$ as columns:
@@ -210,42 +215,47 @@ def J(base: Array, frames: Array) -> Array:
 
 @part(1, Choice(REASON_OPTIONS), shows={"reason": lambda why: REASON_OPTIONS[LETTERS.index(why)]})
 def why(reasons: Array) -> str:
-    r"""Which of the four reasons on the sheet says why no length, neither $d_2$ nor $d_6$ nor $q_3$, stands in column 3,
-    though lengths stand in the linear rows of columns 1 and 2?
+    r"""Which of the four reasons on the sheet says why no length, neither $d_2$ nor $d_6$ nor
+    $q_3$, stands in column 3, though lengths stand in the linear rows of columns 1 and 2?
 
     - Let only joint 3 move, and compare the velocities of two points of the hand.
 
-    It is <reason>. The column of a revolute joint holds $\mathbf z \times \mathbf r$ with the way $\mathbf r$ from its axis to
-    the point, and so lengths. A slide gives every point of the hand the same velocity $\mathbf z_2$ per unit of its rate: no way
-    $\mathbf r$ stands in it, at any posture.
+    It is <reason>. The column of a revolute joint holds $\mathbf z \times \mathbf r$ with the way
+    $\mathbf r$ from its axis to the point, and so lengths. A slide gives every point of the hand
+    the same velocity $\mathbf z_2$ per unit of its rate: no way $\mathbf r$ stands in it, at any
+    posture.
     """
     return LETTERS[[*reasons].index(RIGHT_REASON)]
 
 
 @part(2, Choice(UNIT_OPTIONS))
 def units(change: int) -> str:
-    r"""What becomes of $\mathbf J^{0}$ when units change as the sheet says, so that $\mathbf J^{0} \dot{\mathbf q}$ is the twist of
-    the same motion in the new units?
+    r"""What becomes of $\mathbf J^{0}$ when units change as the sheet says, so that
+    $\mathbf J^{0} \dot{\mathbf q}$ is the twist of the same motion in the new units?
 
     - The motion is the same: which rates and which twist components become other numbers?
     - An entry has the unit of its row over the unit of its rate.
 
-    An entry has the unit of its twist component over that of its rate: m/rad and 1 in a revolute column, 1 and 1/m in a prismatic
-    one. Millimetres make the linear rows of the revolute columns 1000 times as large and leave column 3, mm/s per mm/s. A rate of
-    joint 3 in mm/s is 1000 times the number for the same motion, so its column is a thousandth. Rates in degrees per second are
-    $180/\pi$ times the numbers in radians, so the revolute columns are $\pi/180$ times as large in all rows. Yours is (<units>).
+    An entry has the unit of its twist component over that of its rate: m/rad and 1 in a revolute
+    column, 1 and 1/m in a prismatic one. Millimetres make the linear rows of the revolute columns
+    1000 times as large and leave column 3, mm/s per mm/s. A rate of joint 3 in mm/s is 1000 times
+    the number for the same motion, so its column is a thousandth. Rates in degrees per second are
+    $180/\pi$ times the numbers in radians, so the revolute columns are $\pi/180$ times as large in
+    all rows. Yours is (<units>).
     """
     return CHANGES[change][1]
 
 
 def statement(reasons: Array, change: int) -> str:
     listed = "\n".join(f"- **reason {i}**: {REASONS[k]}." for i, k in enumerate(reasons, 1))
-    return rf"""In the Stanford arm joint 3 is a slide. Its table in the **standard** Denavit–Hartenberg convention:
+    return rf"""In the Stanford arm joint 3 is a slide. Its table in the **standard**
+Denavit–Hartenberg convention:
 
 {printed_table(table_rows(ROBOT))}
 
-The point whose velocity is meant is the origin of frame 6. $\mathbf J^{{0}}$ is its Jacobian in base axes (frame 0), $\mathbf J^{{6}}$
-that of the same point in the axes of frame 6. In both the linear rows stand above the angular ones.
+The point whose velocity is meant is the origin of frame 6. $\mathbf J^{{0}}$ is its Jacobian in
+base axes (frame 0), $\mathbf J^{{6}}$ that of the same point in the axes of frame 6. In both the
+linear rows stand above the angular ones.
 
 Why does column 3 hold no lengths? One of these reasons is right:
 

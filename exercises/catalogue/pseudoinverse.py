@@ -1,7 +1,8 @@
 """S3 5.2.1: the pseudoinverse of a redundant arm, what it gives, and the motions that it leaves free.
 
-S3 says that the pseudoinverse "gives the identity, just like the real inverse". That holds on one side only, and on
-which one depends on the shape and the rank of the matrix, so that each sheet asks it of a matrix K of its own.
+S3 says that the pseudoinverse "gives the identity, just like the real inverse". That holds on one
+side only, and on which one depends on the shape and the rank of the matrix, so that each sheet asks
+it of a matrix K of its own.
 """
 
 from typing import Any
@@ -46,15 +47,16 @@ RUBRIC = (
 
 def statement(columns: Array, k: int) -> str:
     again = ", the last of them a second time," if len(set(columns)) < len(columns) else ""
-    return rf"""The Franka Emika Panda has seven revolute joints. You are given its 6 × 7 Jacobian $\mathbf J$ in one posture, in
-base axes at the hand point, linear rows above angular rows, and a twist $\boldsymbol\xi$ of the hand (linear velocity above angular
-velocity). Take the printed numbers as exact. $\mathbf J$ has rank 6.
+    return rf"""The Franka Emika Panda has seven revolute joints. You are given its 6 × 7 Jacobian
+$\mathbf J$ in one posture, in base axes at the hand point, linear rows above angular rows, and a
+twist $\boldsymbol\xi$ of the hand (linear velocity above angular velocity). Take the printed
+numbers as exact. $\mathbf J$ has rank 6.
 
 The joint rates $\dot{{\mathbf q}} = (\dot q_1, \ldots, \dot q_7)$ have the length
 $|\dot{{\mathbf q}}| = \sqrt{{\dot q_1^2 + \cdots + \dot q_7^2}}$.
 
-For (b): $\mathbf K$ is the 6 × {len(columns)} matrix of the columns {", ".join(map(str, columns))} of your $\mathbf J${again} and $\mathbf K^{{+}}$ is its
-pseudoinverse.
+For (b): $\mathbf K$ is the 6 × {len(columns)} matrix of the columns {", ".join(map(str, columns))}
+of your $\mathbf J${again} and $\mathbf K^{{+}}$ is its pseudoinverse.
 
 For (e): your joint $k$ is joint {k}."""
 
@@ -111,9 +113,9 @@ def pinv(J: Array) -> Array:
     - One of the two products of J and its transpose has an inverse.
     - Multiply J by your result.
 
-    $\mathbf J$ has more columns than rows and full row rank, so $\mathbf J \mathbf J^{T}$ is 6 × 6 and has an inverse:
-    $\mathbf J^{+} = \mathbf J^{T} (\mathbf J \mathbf J^{T})^{-1}$ (S3 5.2.1). $\mathbf J^{T} \mathbf J$ is 7 × 7 with rank 6 and
-    has none. With your numbers:
+    $\mathbf J$ has more columns than rows and full row rank, so $\mathbf J \mathbf J^{T}$ is 6 × 6
+    and has an inverse: $\mathbf J^{+} = \mathbf J^{T} (\mathbf J \mathbf J^{T})^{-1}$ (S3 5.2.1).
+    $\mathbf J^{T} \mathbf J$ is 7 × 7 with rank 6 and has none. With your numbers:
     $$\mathbf J^{+} = <pinv>$$
     """
     return pseudoinverse(J)
@@ -141,14 +143,15 @@ def comparison(J: Array, columns: Array, sides: str) -> str:
     ],
 )
 def sides(columns: Array) -> str:
-    r"""(b) Which of $\mathbf K \mathbf K^{+} = \mathbf I$ and $\mathbf K^{+} \mathbf K = \mathbf I$ holds for your $\mathbf K$? $\mathbf I$
-    is the identity of the size that fits
+    r"""(b) Which of $\mathbf K \mathbf K^{+} = \mathbf I$ and $\mathbf K^{+} \mathbf K = \mathbf I$
+    holds for your $\mathbf K$? $\mathbf I$ is the identity of the size that fits
 
     - Which size and which rank has each product?
     - Compute both products for your numbers.
 
-    $\mathbf K \mathbf K^{+}$ and $\mathbf K^{+} \mathbf K$ have the rank of $\mathbf K$. The first is 6 × 6 and is $\mathbf I$ only
-    if the rank is 6; the second has as many rows as $\mathbf K$ has columns and is $\mathbf I$ only if the rank is that number.
+    $\mathbf K \mathbf K^{+}$ and $\mathbf K^{+} \mathbf K$ have the rank of $\mathbf K$. The first
+    is 6 × 6 and is $\mathbf I$ only if the rank is 6; the second has as many rows as $\mathbf K$
+    has columns and is $\mathbf I$ only if the rank is that number.
 
     <comparison>
     """
@@ -165,11 +168,13 @@ def sides(columns: Array) -> str:
     mistakes=[(TRANSPOSED, lambda J, xi: J.T @ xi)],
 )
 def least(pinv: Array, xi: Array) -> Array:
-    r"""(c) The joint rates of least length $|\dot{\mathbf q}|$ for which the hand has the twist $\boldsymbol\xi$
+    r"""(c) The joint rates of least length $|\dot{\mathbf q}|$ for which the hand has the twist
+    $\boldsymbol\xi$
 
     - The matrix of (a) was made for this.
 
-    Of all solutions of $\mathbf J \dot{\mathbf q} = \boldsymbol\xi$ the shortest is $\mathbf J^{+} \boldsymbol\xi$:
+    Of all solutions of $\mathbf J \dot{\mathbf q} = \boldsymbol\xi$ the shortest is
+    $\mathbf J^{+} \boldsymbol\xi$:
     $$\dot{\mathbf q} = <least>$$
     """
     return pinv @ xi
@@ -177,14 +182,16 @@ def least(pinv: Array, xi: Array) -> Array:
 
 @part(2, Numbers((7,), "rad/s"), check=judged_null, credit="all")
 def null(J: Array) -> Array:
-    r"""(d) Joint rates $\mathbf n$ other than zero that do not move the hand at all, $\mathbf J \mathbf n = \mathbf 0$; any multiple
-    of them is right, but one entry shall be at least 0.1 in size
+    r"""(d) Joint rates $\mathbf n$ other than zero that do not move the hand at all,
+    $\mathbf J \mathbf n = \mathbf 0$; any multiple of them is right, but one entry shall be at
+    least 0.1 in size
 
     - What do $\mathbf J^{+}\mathbf J$ and what is left of $\mathbf I$ without it do to joint rates?
 
-    $\mathbf J (\mathbf I - \mathbf J^{+} \mathbf J) = \mathbf 0$, because $\mathbf J \mathbf J^{+} = \mathbf I$. So each column of
-    $\mathbf I - \mathbf J^{+} \mathbf J$ that is not zero is such a motion; seven joints less rank 6 leave one direction, and all of
-    them are its multiples. Scaled to length 1:
+    $\mathbf J (\mathbf I - \mathbf J^{+} \mathbf J) = \mathbf 0$, because
+    $\mathbf J \mathbf J^{+} = \mathbf I$. So each column of $\mathbf I - \mathbf J^{+} \mathbf J$
+    that is not zero is such a motion; seven joints less rank 6 leave one direction, and all of them
+    are its multiples. Scaled to length 1:
     $$\mathbf n = <null>$$
     """
     return still_rates(J)
@@ -213,14 +220,15 @@ def judged_still(J: Array, xi: Array, k: int, value: Array) -> Outcome:
     ],
 )
 def still(least: Array, null: Array, k: int) -> Array:
-    r"""(e) The joint rates for which the hand has the same twist $\boldsymbol\xi$ and your joint $k$ stands still, $\dot q_k = 0$
+    r"""(e) The joint rates for which the hand has the same twist $\boldsymbol\xi$ and your joint
+    $k$ stands still, $\dot q_k = 0$
 
     - Which rates may be added without a change of the twist?
     - How much of them stops joint k?
 
-    All rates with this twist are $\mathbf J^{+} \boldsymbol\xi + c \mathbf n$. Joint $k$ stands still for
-    $c = -\frac{(\mathbf J^{+} \boldsymbol\xi)_k}{n_k}$. The same comes out when column $k$ of $\mathbf J$ is left out and the
-    6 × 6 system is solved:
+    All rates with this twist are $\mathbf J^{+} \boldsymbol\xi + c \mathbf n$. Joint $k$ stands
+    still for $c = -\frac{(\mathbf J^{+} \boldsymbol\xi)_k}{n_k}$. The same comes out when column
+    $k$ of $\mathbf J$ is left out and the 6 × 6 system is solved:
     $$\dot{\mathbf q} = <still>$$
     """
     return least - least[k - 1] / null[k - 1] * null
@@ -228,14 +236,17 @@ def still(least: Array, null: Array, k: int) -> Array:
 
 @part(2, Manual(RUBRIC))
 def why() -> str:
-    r"""(f) Show in two or three lines that every other solution of $\mathbf J \dot{\mathbf q} = \boldsymbol\xi$ is longer than
-    $\mathbf J^{+} \boldsymbol\xi$
+    r"""(f) Show in two or three lines that every other solution of
+    $\mathbf J \dot{\mathbf q} = \boldsymbol\xi$ is longer than $\mathbf J^{+} \boldsymbol\xi$
 
     - By which motions do two solutions differ?
 
-    All rates with the twist are $\mathbf J^{+}\boldsymbol\xi + \mathbf n$ with $\mathbf J \mathbf n = \mathbf 0$, and the two parts
-    are perpendicular: $(\mathbf J^{+}\boldsymbol\xi)^{T} \mathbf n = \boldsymbol\xi^{T} (\mathbf J \mathbf J^{T})^{-1} \mathbf J \mathbf n = 0$.
-    So the squared length is that of $\mathbf J^{+}\boldsymbol\xi$ plus that of $\mathbf n$, and it is smallest for $\mathbf n = \mathbf 0$.
+    All rates with the twist are $\mathbf J^{+}\boldsymbol\xi + \mathbf n$ with
+    $\mathbf J \mathbf n = \mathbf 0$, and the two parts are perpendicular:
+    $(\mathbf J^{+}\boldsymbol\xi)^{T} \mathbf n =
+    \boldsymbol\xi^{T} (\mathbf J \mathbf J^{T})^{-1} \mathbf J \mathbf n = 0$. So the squared
+    length is that of $\mathbf J^{+}\boldsymbol\xi$ plus that of $\mathbf n$, and it is smallest for
+    $\mathbf n = \mathbf 0$.
     """
     return (
         "Two solutions differ by an n with J n = 0. It is perpendicular to the shortest one: (J+ xi)^T n = "

@@ -1,8 +1,9 @@
 """S3 5.4.2: velocities of the Puma 560 and back.
 
-S3's own numbers are q = (0.1, 0.5, 0.1, 0.8, 0.1, 0.2) and qdot = (1, 1.4, 1.7, 0.2, 0.3, 0.1), with the twist
-(-1.2889, 0.0233, -0.1734, 0.3338, -3.2993, 1.3648). Its question c, "linear velocity along X of 2 m/s", has several
-readings; here every sheet has one of three wordings, and a student who answers another reading is told which it was.
+S3's own numbers are q = (0.1, 0.5, 0.1, 0.8, 0.1, 0.2) and qdot = (1, 1.4, 1.7, 0.2, 0.3, 0.1),
+with the twist (-1.2889, 0.0233, -0.1734, 0.3338, -3.2993, 1.3648). Its question c, "linear velocity
+along X of 2 m/s", has several readings; here every sheet has one of three wordings, and a student
+who answers another reading is told which it was.
 """
 
 from typing import Any
@@ -38,8 +39,8 @@ STILL_WRIST = (
 def statement(wording: str, family: str) -> str:
     return f"""{TABLE}
 
-The tool frame is frame 6. All velocities are those of its origin and are expressed in the base frame 0.
-{FAMILIES[family]}
+The tool frame is frame 6. All velocities are those of its origin and are expressed in the base
+frame 0. {FAMILIES[family]}
 
 For (c): {WORDINGS[wording].text}"""
 
@@ -69,8 +70,9 @@ def J(arm: Arm) -> Array:
     - Column i takes the z axis and the origin of frame i - 1.
     - Toolboxes also print a Jacobian in the tool frame; base axes are asked here.
 
-    Multiply $\mathbf T_{i-1}^{i} = R_z(\theta_i)\,T_z(d_i)\,T_x(a_i)\,R_x(\alpha_i)$ along the table. All joints are
-    revolute, so column $i$ is $\mathbf z_{i-1} \times (\mathbf o_6 - \mathbf o_{i-1})$ above $\mathbf z_{i-1}$. The axes
+    Multiply $\mathbf T_{i-1}^{i} = R_z(\theta_i)\,T_z(d_i)\,T_x(a_i)\,R_x(\alpha_i)$ along the
+    table. All joints are revolute, so column $i$ is
+    $\mathbf z_{i-1} \times (\mathbf o_6 - \mathbf o_{i-1})$ above $\mathbf z_{i-1}$. The axes
     $\mathbf z_0 \ldots \mathbf z_5$ as columns:
     $$\left[\mathbf z_0 \cdots \mathbf z_5\right] = <axes>$$
 
@@ -94,11 +96,13 @@ def J(arm: Arm) -> Array:
     ],
 )
 def twist(J: Array, qdot_b: Array) -> Array:
-    r"""(b) The twist $\boldsymbol\xi = (v_x, v_y, v_z, \omega_x, \omega_y, \omega_z)$ for the joint rates $\dot{\mathbf q}_b$
+    r"""(b) The twist $\boldsymbol\xi = (v_x, v_y, v_z, \omega_x, \omega_y, \omega_z)$ for the joint
+    rates $\dot{\mathbf q}_b$
 
     - One matrix times one vector.
 
-    The twist is $\boldsymbol\xi = \mathbf J \dot{\mathbf q}$, linear velocity above angular velocity:
+    The twist is $\boldsymbol\xi = \mathbf J \dot{\mathbf q}$, linear velocity above angular
+    velocity:
     $$\boldsymbol\xi = <twist>$$
     """
     return J @ qdot_b
@@ -130,7 +134,8 @@ def nearness(J: Array) -> str:
     mistakes=[(TRANSPOSED, lambda J, vx_c: J[0] * vx_c)],  # whatever else is prescribed is zero
 )
 def qdot(J: Array, vx_c: float, wording: str) -> Array:
-    r"""(c) The joint rates $\dot{\mathbf q}$ for the motion that is described under (c) above, with the speed $v_{x,c}$
+    r"""(c) The joint rates $\dot{\mathbf q}$ for the motion that is described under (c) above, with
+    the speed $v_{x,c}$
 
     - Which rows of the twist are prescribed? Only these rows of J take part.
     - Are there as many prescribed rows as joints, or fewer?

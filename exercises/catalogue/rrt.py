@@ -1,8 +1,8 @@
 """S3 5.4.1: an RRT robot from its drawing: Denavit-Hartenberg table, transforms, Jacobian, singular postures.
 
-Structure and numbers are drawn: the sense of the axes, and which of the offsets a1, d2 and l3 the arm has. The drawing
-gives base frame, positive senses and home pose, and the sheet asks for joint variables without offsets, so that the
-table is unique.
+Structure and numbers are drawn: the sense of the axes, and which of the offsets a1, d2 and l3 the
+arm has. The drawing gives base frame, positive senses and home pose, and the sheet asks for joint
+variables without offsets, so that the table is unique.
 """
 
 from functools import lru_cache
@@ -50,14 +50,15 @@ LIMITS = {
     "q3": (-1.5, 1.5),
 }  # of the singular postures asked [rad, m]
 
-STATEMENT = r"""The robot turns about the vertical axis 1 and the horizontal axis 2, and slides along axis 3 (RRT). The
-first figure shows it in its home pose, $q_1 = q_2 = 0$, with frame 0, the lengths, the tool frame and the positive
-sense of each joint; the second shows it at your $\mathbf q$.
+STATEMENT = r"""The robot turns about the vertical axis 1 and the horizontal axis 2, and slides
+along axis 3 (RRT). The first figure shows it in its home pose, $q_1 = q_2 = 0$, with frame 0, the
+lengths, the tool frame and the positive sense of each joint; the second shows it at your
+$\mathbf q$.
 
-Use the **standard** Denavit–Hartenberg convention: $\mathbf z_{i-1}$ along the axis of joint $i$ in its positive
-sense, joint $i$ between frames $i-1$ and $i$. Place the frames so that $\theta_1 = q_1$, $\theta_2 = q_2$ and
-$\theta_3 = 0$, without joint offsets, and so that frame 3 is the tool frame that is drawn. With that the table is
-unique."""
+Use the **standard** Denavit–Hartenberg convention: $\mathbf z_{i-1}$ along the axis of joint $i$ in
+its positive sense, joint $i$ between frames $i-1$ and $i$. Place the frames so that
+$\theta_1 = q_1$, $\theta_2 = q_2$ and $\theta_3 = 0$, without joint offsets, and so that frame 3 is
+the tool frame that is drawn. With that the table is unique."""
 
 LINKS = "These lead from each frame to the next; all three shall start at the fixed frame."
 HOME_POSE = (
@@ -116,17 +117,19 @@ def robot(form: int) -> Robot:
     shows={"side": lambda form: "left" if FORMS[form][0] == "-pi/2" else "right"},
 )
 def dh(arm: Arm) -> Table:
-    r"""The DH table: one row $[\theta_i, d_i, a_i, \alpha_i]$ per joint, as text in the names of your lengths and q1,
-    q2, q3, for instance `['q1 + pi', 0.25, 'd1', 'pi/3']`, or as numbers at your $\mathbf q$ (radians, metres)
+    r"""The DH table: one row $[\theta_i, d_i, a_i, \alpha_i]$ per joint, as text in the names of
+    your lengths and q1, q2, q3, for instance `['q1 + pi', 0.25, 'd1', 'pi/3']`, or as numbers at
+    your $\mathbf q$ (radians, metres)
 
     - Which way does the positive arrow of joint 2 make its axis point?
     - A prismatic joint's variable stands in the column d.
 
-    $\mathbf z_{i-1}$ lies along the axis of joint $i$, in its positive sense. $\mathbf x_i$ is perpendicular to
-    $\mathbf z_{i-1}$ and $\mathbf z_i$; without joint offsets it is parallel to $\mathbf x_{i-1}$ at the zero of joint
-    $i$. Then $d_i$ and $\theta_i$ are measured along and about $\mathbf z_{i-1}$, $a_i$ and $\alpha_i$ along and about
-    $\mathbf x_i$. Seen along $\mathbf x_1$, axis 2 points to the <side> of $\mathbf z_0$, which gives the sign of
-    $\alpha_1$; $\alpha_2$ turns back. The columns are $\theta_i, d_i, a_i, \alpha_i$:
+    $\mathbf z_{i-1}$ lies along the axis of joint $i$, in its positive sense. $\mathbf x_i$ is
+    perpendicular to $\mathbf z_{i-1}$ and $\mathbf z_i$; without joint offsets it is parallel to
+    $\mathbf x_{i-1}$ at the zero of joint $i$. Then $d_i$ and $\theta_i$ are measured along and
+    about $\mathbf z_{i-1}$, $a_i$ and $\alpha_i$ along and about $\mathbf x_i$. Seen along
+    $\mathbf x_1$, axis 2 points to the <side> of $\mathbf z_0$, which gives the sign of $\alpha_1$;
+    $\alpha_2$ turns back. The columns are $\theta_i, d_i, a_i, \alpha_i$:
     $$\mathrm{DH} = <dh>$$
     """
     return arm.robot.table
@@ -139,8 +142,8 @@ def dh(arm: Arm) -> Table:
     mistakes=[(LINKS, lambda T: np.linalg.inv(np.insert(T, 0, np.eye(4), 0)[:3]) @ T)],
 )
 def T(arm: Arm, dh: Table) -> Array:
-    r"""The transforms from the fixed frame to each frame, $\mathbf T_0^1, \mathbf T_0^2, \mathbf T_0^3$ at your
-    $\mathbf q$, stacked to an array 3 × 4 × 4
+    r"""The transforms from the fixed frame to each frame,
+    $\mathbf T_0^1, \mathbf T_0^2, \mathbf T_0^3$ at your $\mathbf q$, stacked to an array 3 × 4 × 4
 
     - Multiply from the left to the right: T01, then T01 @ T12, then the last.
 
@@ -165,14 +168,15 @@ def T(arm: Arm, dh: Table) -> Array:
     mistakes=[(LATE, lambda T, dh: late(np.insert(T, 0, np.eye(4), 0), dh.kinds))],
 )
 def J(T: Array, dh: Table) -> Array:
-    r"""The 6 × 3 Jacobian $\mathbf J$ of the tool point in the base frame at your $\mathbf q$, linear rows above
-    angular rows
+    r"""The 6 × 3 Jacobian $\mathbf J$ of the tool point in the base frame at your $\mathbf q$,
+    linear rows above angular rows
 
     - What does a prismatic joint contribute to the angular velocity?
     - The axis of joint i is the z axis of frame i - 1.
 
-    Joints 1 and 2 are revolute: column $i$ is $\mathbf z_{i-1} \times (\mathbf o_3 - \mathbf o_{i-1})$ above $\mathbf
-    z_{i-1}$. Joint 3 is prismatic: its column is $\mathbf z_2$ above zeros. (The index is $i-1$ in both places: in the
+    Joints 1 and 2 are revolute: column $i$ is
+    $\mathbf z_{i-1} \times (\mathbf o_3 - \mathbf o_{i-1})$ above $\mathbf z_{i-1}$. Joint 3 is
+    prismatic: its column is $\mathbf z_2$ above zeros. (The index is $i-1$ in both places: in the
     standard convention $\mathbf z_{i-1}$ is the axis of joint $i$.)
     $$\mathbf J = <closed>$$
 
@@ -194,8 +198,9 @@ def J(T: Array, dh: Table) -> Array:
     ],
 )
 def J_symbolic(arm: Arm, dh: Table) -> ExpressionArray:
-    r"""The same 6 × 3 Jacobian $\mathbf J$ (tool point, base frame, linear rows above angular rows) for any $\mathbf
-    q$: formulas in the names of your lengths and q1, q2, q3, as six rows of three texts
+    r"""The same 6 × 3 Jacobian $\mathbf J$ (tool point, base frame, linear rows above angular rows)
+    for any $\mathbf q$: formulas in the names of your lengths and q1, q2, q3, as six rows of three
+    texts
 
     - The linear rows are also the derivatives of the tool point's coordinates.
     - Put in your numbers and compare with the Jacobian above.
@@ -203,8 +208,9 @@ def J_symbolic(arm: Arm, dh: Table) -> ExpressionArray:
     The tool point in closed form is the last column of $\mathbf T_0^3$:
     $$\mathbf o_3 = <hand>$$
 
-    The linear rows are its derivatives with respect to $q_1, q_2, q_3$, which is the same as $\mathbf z_{i-1} \times
-    (\mathbf o_3 - \mathbf o_{i-1})$ and $\mathbf z_2$. The angular rows are $\mathbf z_0$, $\mathbf z_1$ and zeros:
+    The linear rows are its derivatives with respect to $q_1, q_2, q_3$, which is the same as
+    $\mathbf z_{i-1} \times (\mathbf o_3 - \mathbf o_{i-1})$ and $\mathbf z_2$. The angular rows are
+    $\mathbf z_0$, $\mathbf z_1$ and zeros:
     $$\mathbf J = <closed>$$
     """
     return jacobian_of_table(dh, arm.robot)
@@ -225,15 +231,15 @@ def from_horizontal(arm: Arm) -> Expression:
     mistakes=[(HOME_POSE, from_horizontal)],
 )
 def det(arm: Arm, J_symbolic: ExpressionArray) -> ExpressionArray:
-    r"""The determinant of the linear block $\mathbf J_v$ (rows 1 to 3 of $\mathbf J$), with its sign, as one formula in
-    the names of your lengths and q1, q2, q3
+    r"""The determinant of the linear block $\mathbf J_v$ (rows 1 to 3 of $\mathbf J$), with its
+    sign, as one formula in the names of your lengths and q1, q2, q3
 
     - Expand along the row that holds a zero.
     - It does not depend on q1, so you may compute it for the q1 that makes it easy.
 
-    Expand $\det \mathbf J_v$ along its third row, whose first entry is zero, and use $\sin^{2} q_1 + \cos^{2} q_1 = 1$
-    and $\sin^{2} q_2 + \cos^{2} q_2 = 1$. It does not depend on $q_1$, since turning the whole arm about axis 1 changes
-    no lengths:
+    Expand $\det \mathbf J_v$ along its third row, whose first entry is zero, and use
+    $\sin^{2} q_1 + \cos^{2} q_1 = 1$ and $\sin^{2} q_2 + \cos^{2} q_2 = 1$. It does not depend on
+    $q_1$, since turning the whole arm about axis 1 changes no lengths:
     $$\det \mathbf J_v = <det>$$
     """
     return determinant_of(J_symbolic, arm.robot)
@@ -249,18 +255,21 @@ def det(arm: Arm, J_symbolic: ExpressionArray) -> ExpressionArray:
     ],
 )
 def singular(arm: Arm, det: ExpressionArray) -> tuple[Expression, ...]:
-    r"""All postures in which the linear block $\mathbf J_v$ is singular: a list of conditions in the names of your
-    lengths and q1, q2, q3, each as text such as `'cos(q1) = 0'` or `'d1 + q3*q2 = 0'`; a posture is singular when one
-    of them holds. Count postures with $q_1$ and $q_2$ from $-\pi$ to $\pi$ and $q_3$ from −1.5 m to 1.5 m, the slide
-    running through to the other side
+    r"""All postures in which the linear block $\mathbf J_v$ is singular: a list of conditions in
+    the names of your lengths and q1, q2, q3, each as text such as `'cos(q1) = 0'` or
+    `'d1 + q3*q2 = 0'`; a posture is singular when one of them holds. Count postures with $q_1$ and
+    $q_2$ from $-\pi$ to $\pi$ and $q_3$ from −1.5 m to 1.5 m, the slide running through to the
+    other side
 
     - Where is the determinant zero? Take its factors one by one.
-    - In such a posture the hand cannot move in one direction: which one, for each of your conditions?
+    - In such a posture the hand cannot move in one direction: which one, for each of your
+      conditions?
 
     A product is zero where one of its factors is:
     $$<singular>$$
 
-    In the first case the hand lies on axis 2, which then cannot move it; in the second it lies <second>.
+    In the first case the hand lies on axis 2, which then cannot move it; in the second it lies
+    <second>.
     """
     return factors_of(det, arm.robot)
 

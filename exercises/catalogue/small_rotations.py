@@ -1,7 +1,7 @@
 """S0 4.9 to 4.11: the rotation vector between two close frames, and the rows of the Jacobian that give it to first order.
 
-The senses of the axes are drawn. The rotations are printed to six decimals; the angles are such that the
-second order, which S0's eq. 4.11 leaves out, is larger than the tolerance.
+The senses of the axes are drawn. The rotations are printed to six decimals; the angles are such
+that the second order, which S0's eq. 4.11 leaves out, is larger than the tolerance.
 """
 
 from typing import Any
@@ -61,18 +61,21 @@ def is_telling(v: Variant) -> bool:
     mistakes=[*MISREAD, (FIRST_ORDER, lambda arm, dq: B(arm) @ dq)],
 )
 def dw(R1: Array, R2: Array) -> Array:
-    r"""The rotation vector $d\mathbf w$ in base axes with $\mathbf R_2 = \mathbf R(d\mathbf w)\,\mathbf R_1$, from the printed rotations
+    r"""The rotation vector $d\mathbf w$ in base axes with
+    $\mathbf R_2 = \mathbf R(d\mathbf w)\,\mathbf R_1$, from the printed rotations
 
     - Which product of the two matrices is R(dw)?
     - A rotation minus its transpose holds the axis times the sine of the angle, twice.
 
-    $\mathbf R_2 = \mathbf R(d\mathbf w)\,\mathbf R_1$ gives $\mathbf R(d\mathbf w) = \mathbf R_2 \mathbf R_1^T$ with $d\mathbf w$
-    in base axes; $\mathbf R_1^T \mathbf R_2$ would have it in tool axes.
+    $\mathbf R_2 = \mathbf R(d\mathbf w)\,\mathbf R_1$ gives
+    $\mathbf R(d\mathbf w) = \mathbf R_2 \mathbf R_1^T$ with $d\mathbf w$ in base axes;
+    $\mathbf R_1^T \mathbf R_2$ would have it in tool axes.
     $$\mathbf R_2 \mathbf R_1^T = <R>$$
 
-    Half the differences of opposite entries, $\frac{1}{2}(R_{32} - R_{23},\; R_{13} - R_{31},\; R_{21} - R_{12})$, are the
-    axis times the sine of the angle; dividing by the sine and multiplying with the angle changes so little here that both
-    pass:
+    Half the differences of opposite entries,
+    $\frac{1}{2}(R_{32} - R_{23},\; R_{13} - R_{31},\; R_{21} - R_{12})$, are the axis times the
+    sine of the angle; dividing by the sine and multiplying with the angle changes so little here
+    that both pass:
     $$d\mathbf w = <dw>$$
     """
     return between(R1, R2)
@@ -92,13 +95,14 @@ def dw(R1: Array, R2: Array) -> Array:
     ),
 )
 def B(arm: Arm) -> Array:
-    r"""The 3 × 4 block $\mathbf B$ of the angular rows of the Jacobian at your $\mathbf q$, in base axes
+    r"""The 3 × 4 block $\mathbf B$ of the angular rows of the Jacobian at your $\mathbf q$, in base
+    axes
 
     - Only directions matter, no lengths.
     - What does a slide contribute to the rotation?
 
-    Column $i$ of $\mathbf B$ is $\xi_i \mathbf z_{i-1}$ in the standard convention: the axis of a revolute joint, and zero
-    for the prismatic one. In closed form:
+    Column $i$ of $\mathbf B$ is $\xi_i \mathbf z_{i-1}$ in the standard convention: the axis of a
+    revolute joint, and zero for the prismatic one. In closed form:
     $$\mathbf B = <closed>$$
 
     With your numbers:
@@ -131,17 +135,19 @@ def Bdq(B: Array, dq: Array) -> Array:
     shows={"square": lambda k: k**2, "missed": lambda dw, Bdq: dw - Bdq},
 )
 def factor(k: int) -> str:
-    r"""By which factor, about, does the length of $d\mathbf w - \mathbf B\,d\mathbf q$ shrink when every entry of
-    $d\mathbf q$ is divided by your $k$ and $\mathbf R_2$ is computed anew?
+    r"""By which factor, about, does the length of $d\mathbf w - \mathbf B\,d\mathbf q$ shrink when
+    every entry of $d\mathbf q$ is divided by your $k$ and $\mathbf R_2$ is computed anew?
 
     - Is the difference of first, second or third order in the joint displacements?
     - Try it.
 
-    Rotations do not add. To second order $d\mathbf w = \mathbf B\,d\mathbf q + \frac{1}{2} \cdot$ the sum of
-    $dq_i\,dq_j\,\mathbf z_{i-1} \times \mathbf z_{j-1}$ over all pairs of revolute joints $i < j$. An equals sign between
-    $d\mathbf w$ and $\mathbf B\,d\mathbf q$ holds to first order only.
+    Rotations do not add. To second order $d\mathbf w = \mathbf B\,d\mathbf q + \frac{1}{2} \cdot$
+    the sum of $dq_i\,dq_j\,\mathbf z_{i-1} \times \mathbf z_{j-1}$ over all pairs of revolute
+    joints $i < j$. An equals sign between $d\mathbf w$ and $\mathbf B\,d\mathbf q$ holds to first
+    order only.
 
-    The difference has products of two $dq$: divided by $k = <k>$ each, it shrinks by $k^2 = <square>$. Yours is now
+    The difference has products of two $dq$: divided by $k = <k>$ each, it shrinks by
+    $k^2 = <square>$. Yours is now
     $$d\mathbf w - \mathbf B\,d\mathbf q = <missed>$$
     """
     return LETTERS[FACTORS.index(k**2)]
@@ -150,10 +156,11 @@ def factor(k: int) -> str:
 def statement(arm: Arm) -> str:
     return rf"""{described(arm)}
 
-At $\mathbf q$ the rotation of the tool frame in base axes (those of frame 0) is $\mathbf R_1$, at $\mathbf q + d\mathbf q$ it is
-$\mathbf R_2$. Both are printed rounded to six decimals. The rotation vector $d\mathbf w$ between
-them is the axis of the rotation in base axes times its angle, so that $\mathbf R_2 = \mathbf R(d\mathbf w)\,\mathbf R_1$. The angular rows of
-the Jacobian in base axes are $\mathbf B$, and $\mathbf B\,d\mathbf q$ is nearly $d\mathbf w$."""
+At $\mathbf q$ the rotation of the tool frame in base axes (those of frame 0) is $\mathbf R_1$, at
+$\mathbf q + d\mathbf q$ it is $\mathbf R_2$. Both are printed rounded to six decimals. The rotation
+vector $d\mathbf w$ between them is the axis of the rotation in base axes times its angle, so that
+$\mathbf R_2 = \mathbf R(d\mathbf w)\,\mathbf R_1$. The angular rows of the Jacobian in base axes
+are $\mathbf B$, and $\mathbf B\,d\mathbf q$ is nearly $d\mathbf w$."""
 
 
 ROTATION = [["1"] * 3] * 3

@@ -18,14 +18,17 @@ ROBOT = ROBOTS["three_axis"]
 DIRECTION = 5e-3  # [rad]
 SINGULAR = 1e-5  # of the largest singular value; six decimals of q_s leave some 1e-6
 
-STATEMENT = r"""All three joints of this robot are revolute. Frame $i$ sits on the axis of joint $i$, with $\mathbf z^{i}$ along the axis:
+STATEMENT = r"""All three joints of this robot are revolute. Frame $i$ sits on the axis of joint
+$i$, with $\mathbf z^{i}$ along the axis:
 
 $$\mathbf T_{base}^{1} = T_z(L)\,R_z(q_1), \quad \mathbf T_1^2 = R_x(90°)\,R_z(q_2), \quad
 \mathbf T_2^3 = T_y(a_2)\,R_z(q_3), \quad \mathbf T_3^{tool} = T_x(a_3).$$
 
-The hand presses against its surroundings with a force at the tool point; a joint torque counts as positive in the positive sense of
-its joint. The weight of the arm is left out. $\mathbf F$ is a force in the axes of the base frame, $\mathbf F^{tool}$ another one in
-the axes of the tool frame. The posture $\mathbf q_s$ is for the **last two questions only**: it is singular, but for its rounding."""
+The hand presses against its surroundings with a force at the tool point; a joint torque counts as
+positive in the positive sense of its joint. The weight of the arm is left out. $\mathbf F$ is a
+force in the axes of the base frame, $\mathbf F^{tool}$ another one in the axes of the tool frame.
+The posture $\mathbf q_s$ is for the **last two questions only**: it is singular, but for its
+rounding."""
 
 
 def draw(rng: np.random.Generator) -> dict[str, Any]:
@@ -83,14 +86,16 @@ def named_opposite(arm: Arm, q_s: Array, value: Array) -> Outcome:
     shows={"places": lambda arm, q_s: arm.at(q_s).frames[1:, :3, 3].T},
 )
 def costless(arm: Arm, q_s: Array) -> Array:
-    r"""At $\mathbf q_s$: a unit vector $\mathbf u$ in base axes along which a force at the tool point costs no joint torque, with either sign
+    r"""At $\mathbf q_s$: a unit vector $\mathbf u$ in base axes along which a force at the tool
+    point costs no joint torque, with either sign
 
     - Which forces have no moment about any of the three axes?
     - Where do the links lie at this posture?
 
-    $\boldsymbol\tau = \mathbf J_v^T \mathbf u = \mathbf 0$ asks for the direction that is lost in $\mathbf J_v$: no joint rates move the hand
-    along it. Here shoulder, elbow and tool point lie in one line, which crosses all three axes, so that a force along it has no moment
-    about any of them. The three points, as columns:
+    $\boldsymbol\tau = \mathbf J_v^T \mathbf u = \mathbf 0$ asks for the direction that is lost in
+    $\mathbf J_v$: no joint rates move the hand along it. Here shoulder, elbow and tool point lie in
+    one line, which crosses all three axes, so that a force along it has no moment about any of
+    them. The three points, as columns:
     $$\left[\mathbf p^2\; \mathbf p^3\; \mathbf p^{tool}\right] = <places>$$
 
     The direction of that line:
@@ -115,8 +120,9 @@ def carried() -> str:
 
     - Which motion of the hand would this force do work on?
 
-    The hand cannot move along $\mathbf u$, to first order, so the force does no work and no torque is called for: the structure carries it.
-    Across $\mathbf u$ things are as usual. (A velocity along $\mathbf u$ would take unbounded joint rates, a force along it takes none.)
+    The hand cannot move along $\mathbf u$, to first order, so the force does no work and no torque
+    is called for: the structure carries it. Across $\mathbf u$ things are as usual. (A velocity
+    along $\mathbf u$ would take unbounded joint rates, a force along it takes none.)
     """
     return "b"
 

@@ -15,19 +15,22 @@ from ..part import exercise, part
 ROBOT = ROBOTS["three_axis"]
 WISHED = np.array([0.01, 0.012, -0.013])  # S0's own dp, on sheets handed out before it was drawn
 
-STATEMENT = r"""All three joints of this robot are revolute. Frame $i$ sits on the axis of joint $i$, with
-$\mathbf z^{i}$ along the axis:
+STATEMENT = r"""All three joints of this robot are revolute. Frame $i$ sits on the axis of joint
+$i$, with $\mathbf z^{i}$ along the axis:
 
 $$\mathbf T_{base}^{1} = T_z(L)\,R_z(q_1), \quad \mathbf T_1^2 = R_x(90°)\,R_z(q_2), \quad
 \mathbf T_2^3 = T_y(a_2)\,R_z(q_3), \quad \mathbf T_3^{tool} = T_x(a_3).$$
 
-$T_x, T_y, T_z$ move along and $R_x, R_z$ turn about an axis of the current frame. Give all vectors in the base frame.
+$T_x, T_y, T_z$ move along and $R_x, R_z$ turn about an axis of the current frame. Give all vectors
+in the base frame.
 
-For a small joint displacement $d\mathbf q$ the tool point moves, to first order, by $d\mathbf p = \mathbf A\,d\mathbf q$ and the tool frame
-turns by $d\mathbf w = \mathbf B\,d\mathbf q$; the Jacobian $\mathbf J$ stacks $\mathbf A$ above $\mathbf B$.
+For a small joint displacement $d\mathbf q$ the tool point moves, to first order, by
+$d\mathbf p = \mathbf A\,d\mathbf q$ and the tool frame turns by
+$d\mathbf w = \mathbf B\,d\mathbf q$; the Jacobian $\mathbf J$ stacks $\mathbf A$ above $\mathbf B$.
 
-The wished displacement of the tool point is $d\mathbf p$. With it $\mathbf J\,d\mathbf q = d\mathbf u$
-would be six equations for three unknowns, which in general contradict each other: only three of them can be prescribed."""
+The wished displacement of the tool point is $d\mathbf p$. With it
+$\mathbf J\,d\mathbf q = d\mathbf u$ would be six equations for three unknowns, which in general
+contradict each other: only three of them can be prescribed."""
 
 
 def draw(rng: np.random.Generator) -> dict[str, Any]:
@@ -67,17 +70,19 @@ def is_telling(arm: Arm, dp: Array) -> bool:
 
 @part(3, Numbers((3, 4), "m", 3), shows={"tip": lambda arm: arm.closed.T[:3, 3]})
 def p(arm: Arm) -> Array:
-    r"""The origins $\mathbf p^1, \mathbf p^2, \mathbf p^3$ and the tool point $\mathbf p^{tool}$, as the four columns of a 3 × 4 matrix
+    r"""The origins $\mathbf p^1, \mathbf p^2, \mathbf p^3$ and the tool point $\mathbf p^{tool}$,
+    as the four columns of a 3 × 4 matrix
 
     - The origin of a frame is the last column of its transform.
     - Which frames share an origin?
 
-    Multiply the transforms up to frame $i$: $\mathbf T_{base}^{i} = \mathbf T_{base}^{1} \mathbf T_1^2 \cdots \mathbf T_{i-1}^{i}$.
-    Its last column is $\mathbf p_{base}^{i}$. The tool point in closed form:
+    Multiply the transforms up to frame $i$: $\mathbf T_{base}^{i} =
+    \mathbf T_{base}^{1} \mathbf T_1^2 \cdots \mathbf T_{i-1}^{i}$. Its last column is
+    $\mathbf p_{base}^{i}$. The tool point in closed form:
     $$\mathbf p_{base}^{tool} = <tip>$$
 
-    With your numbers, the columns are $\mathbf p^1, \mathbf p^2, \mathbf p^3, \mathbf p^{tool}$. Frames 1 and 2 share their
-    origin, because $\mathbf T_1^2$ only turns.
+    With your numbers, the columns are $\mathbf p^1, \mathbf p^2, \mathbf p^3, \mathbf p^{tool}$.
+    Frames 1 and 2 share their origin, because $\mathbf T_1^2$ only turns.
     $$\left[\mathbf p^1\; \mathbf p^2\; \mathbf p^3\; \mathbf p^{tool}\right] = <p>$$
     """
     return arm.frames[:, :3, 3].T
@@ -90,8 +95,8 @@ def z(arm: Arm) -> Array:
     - The axis is the third column of the rotation.
     - Axes 2 and 3 are parallel.
 
-    $\mathbf z_{base}^{i}$ is the third column of the rotation in $\mathbf T_{base}^{i}$. Axes 2 and 3 are parallel, since
-    $\mathbf T_2^3$ turns about $\mathbf z$ only:
+    $\mathbf z_{base}^{i}$ is the third column of the rotation in $\mathbf T_{base}^{i}$. Axes 2 and
+    3 are parallel, since $\mathbf T_2^3$ turns about $\mathbf z$ only:
     $$\mathbf z^2 = \mathbf z^3 = <z2>$$
 
     With your numbers:
@@ -107,8 +112,8 @@ def A(p: Array, z: Array) -> Array:
     - The lever arm goes from the joint to the tool point.
     - The order of a cross product decides its sign.
 
-    All joints are revolute, $\xi_i = 1$, so column $i$ of $\mathbf A$ is $\mathbf z^{i} \times (\mathbf p^{tool} - \mathbf p^{i})$
-    (S0, eq. 4.8). In closed form:
+    All joints are revolute, $\xi_i = 1$, so column $i$ of $\mathbf A$ is
+    $\mathbf z^{i} \times (\mathbf p^{tool} - \mathbf p^{i})$ (S0, eq. 4.8). In closed form:
     $$\mathbf A = <closed>$$
 
     With your numbers:
@@ -123,7 +128,8 @@ def B(z: Array) -> Array:
 
     - A revolute joint turns the tool about its own axis.
 
-    Column $i$ of $\mathbf B$ is $\xi_i \mathbf z^{i} = \mathbf z^{i}$ (S0, eq. 4.10). With your numbers:
+    Column $i$ of $\mathbf B$ is $\xi_i \mathbf z^{i} = \mathbf z^{i}$ (S0, eq. 4.10). With your
+    numbers:
     $$\mathbf B = <B>$$
     """
     return z
@@ -169,13 +175,15 @@ def held_rotation(arm: Arm, A: Array, dp: Array = WISHED) -> Array:
     ),
 )
 def dq(A: Array, dp: Array = WISHED) -> Array:
-    r"""The joint displacement $d\mathbf q$ with $\mathbf A\,d\mathbf q = d\mathbf p$ for your $d\mathbf p$, whatever rotation comes along
+    r"""The joint displacement $d\mathbf q$ with $\mathbf A\,d\mathbf q = d\mathbf p$ for your
+    $d\mathbf p$, whatever rotation comes along
 
     - Three equations for three unknowns.
     - The rotation of the tool is not prescribed.
 
-    $\mathbf A$ is square, and regular at your $\mathbf q$: its determinant is the product below, for you <size>. So
-    $d\mathbf q = \mathbf A^{-1} d\mathbf p$ is the only solution of $\mathbf A\,d\mathbf q = d\mathbf p$.
+    $\mathbf A$ is square, and regular at your $\mathbf q$: its determinant is the product below,
+    for you <size>. So $d\mathbf q = \mathbf A^{-1} d\mathbf p$ is the only solution of
+    $\mathbf A\,d\mathbf q = d\mathbf p$.
     $$\det \mathbf A = <det>$$
 
     With your numbers:
@@ -204,9 +212,10 @@ def dw(B: Array, dq: Array) -> Array:
 
     - Every joint turns the tool about its own axis; small rotations add.
 
-    $d\mathbf w = \mathbf B\,d\mathbf q = \mathbf z^1 dq_1 + \mathbf z^2 (dq_2 + dq_3)$ (S0, eq. 4.9). Nobody asked for it: $d\mathbf p$
-    alone fixes the three $dq_i$. That is why $\mathbf J\,d\mathbf q = d\mathbf u$ (S0, eq. 4.13), six equations for three
-    unknowns, has in general no solution: it has one only if the wished $d\mathbf w$ is this one:
+    $d\mathbf w = \mathbf B\,d\mathbf q = \mathbf z^1 dq_1 + \mathbf z^2 (dq_2 + dq_3)$ (S0, eq. 4.9).
+    Nobody asked for it: $d\mathbf p$ alone fixes the three $dq_i$. That is why
+    $\mathbf J\,d\mathbf q = d\mathbf u$ (S0, eq. 4.13), six equations for three unknowns, has in
+    general no solution: it has one only if the wished $d\mathbf w$ is this one:
     $$d\mathbf w = <dw>$$
     """
     return B @ dq
@@ -227,14 +236,16 @@ def dw(B: Array, dq: Array) -> Array:
     ),
 )
 def error(arm: Arm, dq: Array, dp: Array = WISHED) -> Array:
-    r"""How far first order misses: $\mathbf p^{tool}(\mathbf q + d\mathbf q) - \mathbf p^{tool}(\mathbf q) - d\mathbf p$ with the
-    true tool point of both postures, in metres, from $d\mathbf q$ with all its digits
+    r"""How far first order misses: $\mathbf p^{tool}(\mathbf q +
+    d\mathbf q) - \mathbf p^{tool}(\mathbf q) - d\mathbf p$ with the true tool point of both
+    postures, in metres, from $d\mathbf q$ with all its digits
 
     - Compute the tool point a second time, at the new angles.
     - Expect well under a few millimetres.
 
-    Multiply the transforms once more at $\mathbf q + d\mathbf q$. S0 prints eq. 4.7 with an equals sign, but it holds to first
-    order: what is missed grows with the square of $d\mathbf q$. With your numbers:
+    Multiply the transforms once more at $\mathbf q + d\mathbf q$. S0 prints eq. 4.7 with an equals
+    sign, but it holds to first order: what is missed grows with the square of $d\mathbf q$. With
+    your numbers:
     $$\mathbf p^{tool}(\mathbf q + d\mathbf q) - \mathbf p^{tool}(\mathbf q) - d\mathbf p = <error>$$
     """
     return arm.at(arm.q + dq).p - arm.p - dp

@@ -17,18 +17,19 @@ from ..part import Ready, Setting
 from ..properties import named_multiple, parallel
 from .frames import filled
 
-DETERMINANT = r"""The determinant of the rows @rows@ of $\mathbf J$ in base axes at the tool point, with its sign, as one formula in the names
-of your lengths and q1, q2 ...
+DETERMINANT = r"""The determinant of the rows @rows@ of $\mathbf J$ in base axes at the tool point,
+with its sign, as one formula in the names of your lengths and q1, q2 ...
 
-- It does not depend on the first joint where that one only turns or shifts the whole arm: choose it as you like.
+- It does not depend on the first joint where that one only turns or shifts the whole arm: choose it
+  as you like.
 - Expand along a row or column with zeros.
 
 Written as a product:
 $$\det = <@name@>$$
 """
-SINGULAR = r"""All postures in which the rows @rows@ of $\mathbf J$ are singular: a list of conditions in the names of your lengths and q1,
-q2 ..., each as text such as `'cos(q1) = 0'` or `'d1 + q3*q2 = 0'`; a posture is singular when one of them holds. Count
-postures with @limits@
+SINGULAR = r"""All postures in which the rows @rows@ of $\mathbf J$ are singular: a list of
+conditions in the names of your lengths and q1, q2 ..., each as text such as `'cos(q1) = 0'` or
+`'d1 + q3*q2 = 0'`; a posture is singular when one of them holds. Count postures with @limits@
 
 - Where is the determinant zero? Take its factors one by one.
 - An angle has more than one solution in a full turn.
@@ -39,24 +40,29 @@ $$\det = <product>$$
 The factors that can be zero:
 $$<@name@>$$
 """
-ELLIPSOID = r"""The half axes of the velocity ellipsoid of the @count@ rows @rows@ of $\mathbf J$: the sizes of the velocities that joint
-rates with $\dot q_1^2 + \cdots + \dot q_{@n@}^2 = 1$ give along its axes, the largest first
+ELLIPSOID = r"""The half axes of the velocity ellipsoid of the @count@ rows @rows@ of $\mathbf J$:
+the sizes of the velocities that joint rates with $\dot q_1^2 + \cdots + \dot q_{@n@}^2 = 1$ give
+along its axes, the largest first
 
 - They are the singular values of the block.
 - The eigenvalues of $\mathbf J \mathbf J^T$ are their squares.
 
-The singular values of the block, $\mathbf J = \mathbf U\,\mathrm{diag}(\sigma_1, \ldots)\,\mathbf V^T$:
+The singular values of the block,
+$\mathbf J = \mathbf U\,\mathrm{diag}(\sigma_1, \ldots)\,\mathbf V^T$:
 $$\boldsymbol\sigma = <@name@>$$
 """
-FORMULA = r"""The manipulability $w = \sqrt{\det(\mathbf J \mathbf J^T)}$ of the rows @rows@ of $\mathbf J$ in base axes at the tool point, as
-one formula in the names of your lengths and q1, q2 ..., with `abs(...)` or `sqrt(...)` where its sign could change
+FORMULA = r"""The manipulability $w = \sqrt{\det(\mathbf J \mathbf J^T)}$ of the rows @rows@ of
+$\mathbf J$ in base axes at the tool point, as one formula in the names of your lengths and q1, q2
+..., with `abs(...)` or `sqrt(...)` where its sign could change
 
 - The block is square: what is the determinant of a product of square matrices?
 
-For a square block $\det(\mathbf J \mathbf J^T) = (\det \mathbf J)^2$, so $w$ is the size of the determinant:
+For a square block $\det(\mathbf J \mathbf J^T) = (\det \mathbf J)^2$, so $w$ is the size of the
+determinant:
 $$w = <@name@>$$
 """
-LONGEST = r"""A unit vector $\mathbf u$ along the longest half axis of the velocity ellipsoid of the rows @rows@ of $\mathbf J$, with either sign
+LONGEST = r"""A unit vector $\mathbf u$ along the longest half axis of the velocity ellipsoid of the
+rows @rows@ of $\mathbf J$, with either sign
 
 - It is the direction in which the tool is fastest.
 - It is an eigenvector of $\mathbf J \mathbf J^T$.
@@ -64,7 +70,8 @@ LONGEST = r"""A unit vector $\mathbf u$ along the longest half axis of the veloc
 The first left singular vector of the block:
 $$\mathbf u = <@name@>$$
 """
-MANIPULABILITY = r"""The manipulability $w = \sqrt{\det(\mathbf J \mathbf J^T)}$ of the rows @rows@ of $\mathbf J$
+MANIPULABILITY = r"""The manipulability $w = \sqrt{\det(\mathbf J \mathbf J^T)}$ of the rows @rows@
+of $\mathbf J$
 
 - For a square block it is the size of the determinant.
 - It is the product of the half axes of the velocity ellipsoid.
@@ -158,7 +165,8 @@ def _factors(arm: Arm) -> tuple[Expression, ...]:
 def limits_of(robot: Robot) -> dict[str, tuple[float, float]]:
     """The range of every joint within which conditions count [rad, m].
 
-    A full turn, or a slide's longest stroke to both sides, since a stroke of zero may be what is asked.
+    A full turn, or a slide's longest stroke to both sides, since a stroke of zero may be what is
+    asked.
     """
     ranges: dict[str, tuple[float, float]] = {}
     for joint, kind, (_, longest) in zip(robot.joints, robot.kinds, robot.limits, strict=True):

@@ -14,14 +14,16 @@ from ..part import Ready, Setting
 
 POSE = [["1", "1", "1", "m"]] * 3 + [["1"] * 4]
 AXIS = {"standard": r"\mathbf z_{i-1}", "modified": r"\mathbf z_i"}
-TABLE = r"""The Denavit–Hartenberg table: one row $[\theta_i, d_i, a_i, \alpha_i]$ per joint, as text in the names of your
-lengths and q1, q2 ..., for instance `['q1 + pi', 0.25, 'd1', 'pi/3']`, or as numbers at your $\mathbf q$ (radians, metres)
+TABLE = r"""The Denavit–Hartenberg table: one row $[\theta_i, d_i, a_i, \alpha_i]$ per joint, as
+text in the names of your lengths and q1, q2 ..., for instance `['q1 + pi', 0.25, 'd1', 'pi/3']`, or
+as numbers at your $\mathbf q$ (radians, metres)
 
 - Which way does the positive arrow of each joint make its axis point?
 - A prismatic joint's variable stands in the column d.
 
-@axis@ lies along the axis of joint $i$, in its positive sense. Then $d_i$ and $\theta_i$ are measured along and about
-$\mathbf z$, $a_i$ and $\alpha_i$ along and about $\mathbf x$. The columns are $\theta_i, d_i, a_i, \alpha_i$:
+@axis@ lies along the axis of joint $i$, in its positive sense. Then $d_i$ and $\theta_i$ are
+measured along and about $\mathbf z$, $a_i$ and $\alpha_i$ along and about $\mathbf x$. The columns
+are $\theta_i, d_i, a_i, \alpha_i$:
 $$\mathrm{DH} = <@name@>$$
 """
 ROW = {
@@ -29,12 +31,13 @@ ROW = {
     "modified": r"$\mathbf T_{i-1}^{i} = R_x(\alpha_i)\,T_x(a_i)\,R_z(\theta_i)\,T_z(d_i)$",
     "frames": r"the transform from frame $i-1$ to frame $i$",
 }
-TRANSFORMS = r"""The poses of frames 1 to @n@@tool@ in the base frame at your $\mathbf q$, $\mathbf T_0^1, \mathbf T_0^2, \ldots$,
-stacked to an array @count@ × 4 × 4
+TRANSFORMS = r"""The poses of frames 1 to @n@@tool@ in the base frame at your $\mathbf q$,
+$\mathbf T_0^1, \mathbf T_0^2, \ldots$, stacked to an array @count@ × 4 × 4
 
 - Multiply from the left to the right: T01, then T01 @ T12, and so on.
 
-Each row gives @row@, and $\mathbf T_0^i = \mathbf T_0^1 \mathbf T_1^2 \cdots \mathbf T_{i-1}^{i}$. The last pose in closed form:
+Each row gives @row@, and $\mathbf T_0^i = \mathbf T_0^1 \mathbf T_1^2 \cdots \mathbf T_{i-1}^{i}$.
+The last pose in closed form:
 $$\mathbf T = <closed>$$
 
 With your numbers:
@@ -44,8 +47,8 @@ TOOL = r"""The pose $\mathbf T$ of the tool frame in the base frame at your $\ma
 
 - Multiply the transforms from the base to the tool, from left to right.
 
-Each row gives @row@; their product is the pose. Its columns are the axes of the tool frame ($\mathbf R$) and the tool point
-($\mathbf p$), in base coordinates. In closed form:
+Each row gives @row@; their product is the pose. Its columns are the axes of the tool frame
+($\mathbf R$) and the tool point ($\mathbf p$), in base coordinates. In closed form:
 $$\mathbf T = <closed>$$
 
 With your numbers:
@@ -65,8 +68,8 @@ def filled(text: str, **values: object) -> str:
 def dh_table(*, name: str = "dh", points: float = 3, decimals: int = 3) -> Ready:
     """The table of the arm off its drawing, cell by cell; the sheet then prints no table.
 
-    The base frame, the tool frame and the home pose are drawn; that fixes the table of an arm whose neighbouring axes
-    cross at right angles or lie apart.
+    The base frame, the tool frame and the home pose are drawn; that fixes the table of an arm whose
+    neighbouring axes cross at right angles or lie apart.
     """
 
     def ready(setting: Setting) -> Question:

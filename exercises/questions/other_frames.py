@@ -36,8 +36,8 @@ TOOL_AXES = r"""The @size@ Jacobian in tool axes at the tool point, @rows@
 - The point does not change.
 
 The point stays, the axes change: $\mathbf v_{tool} = \mathbf R^T \mathbf v$ and
-$\boldsymbol\omega_{tool} = \mathbf R^T \boldsymbol\omega$, because $\mathbf R$ leads from tool axes to base axes. Both
-blocks turn alike:
+$\boldsymbol\omega_{tool} = \mathbf R^T \boldsymbol\omega$, because $\mathbf R$ leads from tool axes
+to base axes. Both blocks turn alike:
 $$\begin{bmatrix}\mathbf R^T & \mathbf 0\\ \mathbf 0 & \mathbf R^T\end{bmatrix} \mathbf J = <@name@>$$
 """
 BASE_ORIGIN = r"""The @size@ Jacobian in base axes at the base origin, @rows@
@@ -45,9 +45,9 @@ BASE_ORIGIN = r"""The @size@ Jacobian in base axes at the base origin, @rows@
 - How do the velocities of two points of one body differ?
 - The angular rows are those of every point.
 
-The axes stay, the point changes. The point of the body at the base origin lies $-\mathbf p$ from the tool point, so its
-velocity is $\mathbf v + \boldsymbol\omega \times (-\mathbf p) = \mathbf v + \mathbf p \times \boldsymbol\omega$;
-$\boldsymbol\omega$ is the same for every point:
+The axes stay, the point changes. The point of the body at the base origin lies $-\mathbf p$ from
+the tool point, so its velocity is $\mathbf v + \boldsymbol\omega \times (-\mathbf p) = \mathbf v +
+\mathbf p \times \boldsymbol\omega$; $\boldsymbol\omega$ is the same for every point:
 $$@shift@ \mathbf J = <@name@>$$
 """
 SHIFT: dict[Rows, str] = {

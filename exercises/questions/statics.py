@@ -12,22 +12,26 @@ from ..contract.question import Question
 from ..part import Ready, Setting
 from .frames import filled
 
-TORQUES = r"""The joint torques $\boldsymbol\tau$@slides@ with which the drives hold the arm at your $\mathbf q$ while the tool applies the
-@load@ $@symbol@ =$ @wrench@ to its surroundings, @axes@; without gravity and friction
+TORQUES = r"""The joint torques $\boldsymbol\tau$@slides@ with which the drives hold the arm at your
+$\mathbf q$ while the tool applies the @load@ $@symbol@ =$ @wrench@ to its surroundings, @axes@;
+without gravity and friction
 
-- Power is the same at the joints and at the tool: $\boldsymbol\tau^T \dot{\mathbf q} = \mathbf F^T \mathbf J \dot{\mathbf q}$ for all rates.
+- Power is the same at the joints and at the tool: $\boldsymbol\tau^T \dot{\mathbf q} =
+  \mathbf F^T \mathbf J \dot{\mathbf q}$ for all rates.
 - Are force and Jacobian given in the same axes?
 
 Because that holds for all rates, $\boldsymbol\tau = \mathbf J^T @symbol@$@turned@:
 $$\boldsymbol\tau = <@name@>$$
 """
 TURNED = r", with the force turned into base axes first by the tool axes $\mathbf R$, the columns of the tool frame"
-WRENCH = r"""The @load@ $\mathbf F =$ @wrench@ in base axes at your $\mathbf q$; given is $@symbol@$, in the axes of the tool frame
+WRENCH = r"""The @load@ $\mathbf F =$ @wrench@ in base axes at your $\mathbf q$; given is
+$@symbol@$, in the axes of the tool frame
 
 - The columns of which matrix are the tool axes in base axes?
 - A moment is turned like a force.
 
-Both blocks are multiplied by the tool axes $\mathbf R$, the columns of the tool frame, which lead from tool axes to base axes:
+Both blocks are multiplied by the tool axes $\mathbf R$, the columns of the tool frame, which lead
+from tool axes to base axes:
 $$\mathbf F = <@name@>$$
 """
 STILL_TOOL = "This is still in the axes of the tool frame; base axes are asked."

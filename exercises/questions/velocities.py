@@ -34,9 +34,9 @@ JACOBIAN = r"""The @size@ Jacobian $\mathbf J$ of @point@ in @frame@ at your $\m
 - @lever@
 - @hint@
 
-A revolute joint's column is $\mathbf z \times (\mathbf p - \mathbf o)$ in the linear rows and $\mathbf z$ in the angular
-ones@slide@: $\mathbf z$ is the joint's axis, $\mathbf o$ a point on it, $\mathbf p$ @point@.@turned@
-The axes as columns:
+A revolute joint's column is $\mathbf z \times (\mathbf p - \mathbf o)$ in the linear rows and
+$\mathbf z$ in the angular ones@slide@: $\mathbf z$ is the joint's axis, $\mathbf o$ a point on it,
+$\mathbf p$ @point@.@turned@ The axes as columns:
 $$\left[\mathbf z\right] = <axes>$$
 
 A point on each axis, and $\mathbf p$, as columns:
@@ -45,7 +45,8 @@ $$\left[\mathbf o \cdots \mathbf p\right] = <places>$$
 The columns, with your numbers:
 $$\mathbf J = <@name@>$$
 """
-TURNED = r""" In tool axes both blocks are multiplied by $\mathbf R^T$, where $\mathbf R$ holds the tool axes as columns."""
+TURNED = r""" In tool axes both blocks are multiplied by $\mathbf R^T$, where $\mathbf R$ holds the
+tool axes as columns."""
 SLIDE = r", a prismatic joint's is $\mathbf z$ and zeros"
 SLIDE_HINT = "A prismatic joint turns nothing: its column holds its axis and zeros."
 ORDER_HINT = "The order of a cross product decides its sign."
@@ -53,7 +54,8 @@ BASE_AXES = "This is the Jacobian in base axes; the axes of the tool frame are a
 AT_ORIGIN = "This is at the base origin; the tool point is asked."
 AT_TOOL = "This is the Jacobian of the tool point; another point is asked."
 BEYOND = "A joint behind that frame cannot move its origin; look again at the last columns."
-TWIST = r"""The twist $\boldsymbol\xi =$ @twist@ of the tool at your $\mathbf q$ for the joint rates $@symbol@$
+TWIST = r"""The twist $\boldsymbol\xi =$ @twist@ of the tool at your $\mathbf q$ for the joint rates
+$@symbol@$
 
 - One matrix times one vector: the joint rates are the weights of the columns.
 
@@ -63,7 +65,8 @@ $$\boldsymbol\xi = <@name@>$$
 TRANSPOSED_TWIST = (
     "This is J transposed times the joint rates; joint rates are weights of the columns of J."
 )
-RATES = r"""The joint rates $\dot{\mathbf q}$ @least@at which the tool has the velocity $@symbol@ =$ @twist@ at your $\mathbf q$
+RATES = r"""The joint rates $\dot{\mathbf q}$ @least@at which the tool has the velocity $@symbol@ =$
+@twist@ at your $\mathbf q$
 
 - Which rows of $\mathbf J$ take part?
 - Are there as many of them as joints, or fewer?
@@ -95,8 +98,8 @@ def jacobian(
 ) -> Ready:
     """The Jacobian (m, n) of a point in base or tool axes; of the origin of frame `point`, where that is a number.
 
-    With base axes at the tool point of a standard table it follows from the student's own transforms `T` (n, 4, 4).
-    `mistakes` are known wrong ways beside those that it has for any arm.
+    With base axes at the tool point of a standard table it follows from the student's own
+    transforms `T` (n, 4, 4). `mistakes` are known wrong ways beside those that it has for any arm.
     """
 
     def ready(setting: Setting) -> Question:
@@ -270,8 +273,8 @@ def rates(
 ) -> Ready:
     """Joint rates (n,) for the drawn velocity `xi`, printed as `symbol`, in the rows of the Jacobian `J` before it.
 
-    They are unique for a square block, and those of least norm where there are fewer rows than joints. Rates are right
-    by the velocity they reach, too.
+    They are unique for a square block, and those of least norm where there are fewer rows than
+    joints. Rates are right by the velocity they reach, too.
     """
 
     def ready(setting: Setting) -> Question:
