@@ -1,4 +1,4 @@
-"""S1 5.10, Example 2.25: the linear rows of a Jacobian by differentiating the position of the hand.
+"""S1 5.10, Example 2.25: the linear rows of a Jacobian, by differentiating the hand's position.
 
 S1 prints the position and the first row for an arm on the floor. Here the mounting, the zeros of
 joints 1 and 2 and the sense of joints 2 to 4 are drawn, and the shoulder stands beside axis 1, so
@@ -25,19 +25,21 @@ from ..arms.articulated import (
     posture,
     robot,
 )
-from ..contract.question import Question
+from ..contract.question import Question, Wrong
 from ..part import exercise, part
 from ..properties import without_zeros
 
 
 def draw(rng: np.random.Generator) -> dict[str, Any]:
     """An arm of one structure, and a point for the last question."""
-    structure, point = int(rng.integers(len(STRUCTURES))), int(rng.integers(len(POINTS)))
+    structure = int(rng.integers(len(STRUCTURES)))
+    point = int(rng.integers(len(POINTS)))
     away = [int(rng.integers(11, 30)), int(rng.integers(3, 9))]
     return {"structure": structure, "point": point, "away": away, **posture(rng, structure)}
 
 
 def statement(arm: Arm, structure: int, point: int, away: Array) -> str:
+    """The arm and the position of its hand, and where the point of the last question lies."""
     far, near = away
     return rf"""{described(arm, structure)} The linear rows $\mathbf J_v$ of its Jacobian,
 $\dot{{\mathbf p}} = \mathbf J_v \dot{{\mathbf q}}$, are its derivatives: the entry in row $x$ and
@@ -47,8 +49,15 @@ here; how the arm is mounted and where its joints are zero is personal.
 For the last question: {POINTS[point].format(far=far, near=near)}."""
 
 
-ON_SLIDES = "This is the row of the arm on the slides, which stands otherwise; start from p as your sheet prints it."
-WRITTEN = "with a * in every product and angles in radians, such as `a2*C2 + a3*C23`; C23 and S234 are read as on the sheet"
+ON_SLIDES = (
+    "This is the row of the arm on the slides, which stands otherwise; "
+    "start from p as your sheet prints it."
+)
+WRITTEN = (
+    "with a * in every product and angles in radians, such as `a2*C2 + a3*C23`; "
+    "C23 and S234 are read as on the sheet"
+)
+HOW_WRITTEN = (WRITTEN, "written as in row 1", "written as in row 1")
 
 
 def row(i: int) -> Question:
@@ -60,7 +69,7 @@ def row(i: int) -> Question:
 
     solve.__doc__ = rf"""Row {i + 1} of $\mathbf J_v$: the derivatives of $p_{x}$ with respect to
     $q_1, \ldots, q_6$, a list of six formulas as texts in d1, a1, a2, a3, a4 and q1 to q6,
-    {"written as in row 1" if i else WRITTEN}
+    {HOW_WRITTEN[i]}
 
     - All other joint variables are constants while you differentiate by one of them.
     - Write down first which terms of the coordinate hold that joint variable.
@@ -82,14 +91,13 @@ def row(i: int) -> Question:
             "p": lambda arm: factored(arm.closed.T[i, 3]),
             "row": lambda arm: arm.closed.J[i, :].applyfunc(factored),
         },
-        mistakes=(
-            *(
-                (said, lambda arm, *, way=way: derivatives(arm.robot, i, way))
-                for said, way in SLIPS
-            ),
-            (ON_SLIDES, lambda: derivatives(S1, i)),
-        ),
+        mistakes=(*slips(i), (ON_SLIDES, lambda: derivatives(S1, i))),
     )(solve).called(x)
+
+
+def slips(i: int) -> list[Wrong]:
+    """Row i in each of the wrong ways."""
+    return [(said, lambda arm, *, way=way: derivatives(arm.robot, i, way)) for said, way in SLIPS]
 
 
 SUMS = (
@@ -120,18 +128,27 @@ def J(arm: Arm, x: ExpressionArray, y: ExpressionArray, z: ExpressionArray) -> A
     $$\mathbf J_v = <J>$$
     """
     values = {**arm.lengths, **dict(zip(arm.robot.joints, arm.q, strict=True))}
-    return np.stack([one.at(values) for one in (x, y, z)])
+    return np.stack([x.at(values), y.at(values), z.at(values)])
 
 
 POINTS = (
     r"$Q$ is a point of the gripper. Seen from $\mathbf p$ it lies 0.{far} m along axis 6",
-    r"$Q$ is a point of the gripper. Seen from $\mathbf p$ it lies 0.{far} m along axis 6 and 0.0{near} m beside that axis",
+    (
+        r"$Q$ is a point of the gripper. Seen from $\mathbf p$ it lies 0.{far} m along axis 6 "
+        r"and 0.0{near} m beside that axis"
+    ),
     "$Q$ is a point of the link between joints 4 and 5, 0.{far} m away from axis 5",
 )
 REASONS = (
-    "Turning about axis 6 leaves a point on axis 6 where it is, but axis 5 crosses axis 6 in p and not in Q: joint 5 moves Q. Only column 6 is zero.",
+    (
+        "Turning about axis 6 leaves a point on axis 6 where it is, but axis 5 crosses axis 6 in p "
+        "and not in Q: joint 5 moves Q. Only column 6 is zero."
+    ),
     "Q lies on neither axis and belongs to the gripper, so both joints move it.",
-    "Joints 5 and 6 come behind that link: whatever they do, it stays where it is. Both columns are zero.",
+    (
+        "Joints 5 and 6 come behind that link: whatever they do, it stays where it is. "
+        "Both columns are zero."
+    ),
 )
 OPTIONS = (
     "both are zero: joints of the wrist turn the hand and move no point of it",

@@ -13,10 +13,10 @@ from ...solutions.expression_array import ExpressionArray, same_formulas
 from ..answers import Formulas, Numbers, Variant
 from ..arm import Arm, Array
 from ..arms import planar as arms
+from ..arms import planar_formulas as formulas
 from ..arms.planar import FORMS, NAMES, UP, misread
 from ..calculations.columns import columns
 from ..calculations.own_formulas import jacobian_of_position
-from ..exercise import Outcome
 from ..part import exercise, part
 from ..properties import up_to_full_turns
 
@@ -26,18 +26,13 @@ from ..properties import up_to_full_turns
     Formulas((3,), NAMES),
     check=lambda value, pose: up_to_full_turns(value, pose, NAMES, [2]),
     mistakes=(
-        (
-            arms.ALONE,
-            lambda form: arms.pose_formulas(
-                arms.angle_formulas(form)[0], f"0{arms.bend_formula(form)}"
-            ),
-        ),
-        (arms.MOUNTING, lambda form: arms.pose(form, "0")),
-        (arms.EXCHANGED, lambda form: [arms.pose(form)[i] for i in (1, 0, 2)]),
-        *misread(lambda v: arms.pose(v["form"])),
-        (arms.PRINTED, lambda: arms.SOURCE),
+        (arms.ALONE, formulas.link_2_alone),
+        (arms.MOUNTING, lambda form: formulas.pose(form, "0")),
+        (arms.EXCHANGED, formulas.exchanged),
+        *misread(lambda v: formulas.pose(v["form"])),
+        (arms.PRINTED, lambda: formulas.SOURCE),
     ),
-    shows=arms.ANGLES,
+    shows=formulas.ANGLES,
 )
 def pose(form: int) -> list[str]:
     r"""The pose $(x, y, \theta)$ of frame 2 in frame 0, as three formulas in `l1`, `l2`, `beta`,
@@ -53,7 +48,7 @@ def pose(form: int) -> list[str]:
     the tool has the angle of link 2:
     $$\begin{bmatrix} x \\ y \\ \theta \end{bmatrix} = <pose>$$
     """
-    return arms.pose(form)
+    return formulas.pose(form)
 
 
 @part(
@@ -61,13 +56,10 @@ def pose(form: int) -> list[str]:
     Formulas((3, 2), NAMES),
     check=lambda value, J_symbolic: arms.less_omega(same_formulas(value, J_symbolic, NAMES)),
     mistakes=(
-        (arms.MINUS, lambda form: arms.slopes(form, minus=1)),
-        (arms.CHAIN_RULE, lambda form: arms.slopes(form, (1, 1))),
-        (
-            arms.LINK_2,
-            lambda form: [[one.replace("l2", "0"), two] for one, two in arms.slopes(form)],
-        ),
-        *misread(lambda v: arms.slopes(v["form"])),
+        (arms.MINUS, lambda form: formulas.slopes(form, minus=1)),
+        (arms.CHAIN_RULE, lambda form: formulas.slopes(form, (1, 1))),
+        (arms.LINK_2, formulas.without_link_2),
+        *misread(lambda v: formulas.slopes(v["form"])),
     ),
 )
 def J_symbolic(pose: ExpressionArray) -> Any:
@@ -82,23 +74,20 @@ def J_symbolic(pose: ExpressionArray) -> Any:
     $q_1$, link 2 alone with $q_2$:
     $$\mathbf J = <J_symbolic>$$
     """
-    return jacobian_of_position(pose, arms.SOURCE, NAMES, rows=2)
+    return jacobian_of_position(pose, formulas.SOURCE, NAMES, rows=2)
 
 
 @part(
     3,
     Numbers((2, 4, 4), [[["1", "1", "1", "m"]] * 3 + [["1"] * 4]]),
-    # A product in the wrong order, whose rotation is right by chance, earns nothing for it.
-    check=lambda value, v: Outcome(
-        share=0.5 if np.abs(value - arms.wrong_order(v)).max() <= arms.NEAR else None
-    ),
+    check=arms.judged_transforms,
     mistakes=(
         (arms.FROM_1, arms.links),
         (arms.ORDER, arms.wrong_order),
         (arms.MOUNTING, lambda v: arms.transforms({**v, "beta": 0.0})),
         *misread(arms.transforms),
     ),
-    shows=arms.ANGLES,
+    shows=formulas.ANGLES,
 )
 def T(v: Variant) -> Array:
     r"""The transforms $\mathbf T_0^1$ and $\mathbf T_0^2$ (poses of frames 1 and 2 in frame 0) at
@@ -121,15 +110,12 @@ def T(v: Variant) -> Array:
     mistakes=(
         (arms.SENSE, lambda T: columns(np.array([UP, UP]), arms.levers(T), "RR")),
         (arms.FROM_BASE, lambda arm, T: columns(arm.axes.T, T[[1, 1], :3, 3], "RR")),
-        (
-            arms.TO_JOINT_2,
-            lambda arm, T: columns(arm.axes.T, np.array([T[0, :3, 3], arms.levers(T)[1]]), "RR"),
-        ),
+        (arms.TO_JOINT_2, lambda arm, T: columns(arm.axes.T, arms.levers_to_elbow(T), "RR")),
         (arms.OMEGA_SENSE, lambda J: np.concatenate([J[:5], [[1.0, 1.0]]])),
         *misread(arms.jacobian),
     ),
     shows={
-        "sense1": lambda form: f"{FORMS[form][0]:+d}",
+        "sense1": lambda form: f"{FORMS[form][0]:+d}",  # +1 or -1
         "sense2": lambda form: f"{FORMS[form][1]:+d}",
     },
 )
