@@ -61,8 +61,8 @@ ANGLES: dict[str, Callable[[int], str]] = {
 def slopes(form: int, inner: tuple[int, ...] = (), minus: int = -1) -> list[list[str]]:
     """The 3 x 2 Jacobian of the pose.
 
-    It is wrong with other `inner` derivatives of the angles, and without `minus` in that of a
-    cosine.
+    It is wrong with other `inner` derivatives of the angles than the senses of the joints, and
+    with another `minus` than that of the derivative of a cosine.
     """
     x, y, second = pose(form)
     one, two = inner or FORMS[form][:2]

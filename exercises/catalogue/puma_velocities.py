@@ -20,23 +20,25 @@ from ..draws import rates
 from ..exercise import Outcome
 from ..part import exercise, part
 
-HELD, FREE, ALONE = (
-    "orientation held (omega = 0)",
-    "orientation free, least norm",
-    "only vx prescribed, least norm",
-)
+HELD = "orientation held (omega = 0)"
+FREE = "orientation free, least norm"
+ALONE = "only vx prescribed, least norm"
 WORDINGS = {
     HELD: Speed(6, WHOLE, "v_{x,c}"),
     FREE: Speed(6, LINEAR, "v_{x,c}"),
     ALONE: Speed(6, (0,), "v_{x,c}"),
 }
 STILL_WRIST = (
-    "The tool point lies where the wrist axes meet, so that the wrist cannot move it: the linear rows of columns 4 to 6 "
-    "are zero, and so are these rates."
+    "The tool point lies where the wrist axes meet, so that the wrist cannot move it: "
+    "the linear rows of columns 4 to 6 are zero, and so are these rates."
+)
+TRANSPOSED_TWIST = (
+    "This is J transposed times the joint rates; joint rates are weights of the columns of J."
 )
 
 
 def statement(wording: str, family: str) -> str:
+    """The table, where the posture is special, and the motion of the last question."""
     return f"""{TABLE}
 
 The tool frame is frame 6. All velocities are those of its origin and are expressed in the base
@@ -48,8 +50,10 @@ For (c): {WORDINGS[wording].text}"""
 def draw(rng: np.random.Generator) -> dict[str, Any]:
     """A wording, a posture of one of four families, joint rates, and a speed along base x."""
     family = str(rng.choice([*FAMILIES]))
-    # Where only the linear velocity is prescribed the wrist stands still, and rates are never large.
-    wording = HELD if family == NEAR_SINGULAR else str(rng.choice([*WORDINGS]))
+    wording = HELD
+    # Where only the linear velocity is prescribed the wrist stands still: rates are never large.
+    if family != NEAR_SINGULAR:
+        wording = str(rng.choice([*WORDINGS]))
     speed = round(float(rng.integers(20, 81)) / 100, 2)
     q = posture(rng, family, speed)
     return {"q": q, "qdot_b": rates(rng, 6), "vx_c": speed, "wording": wording, "family": family}
@@ -88,12 +92,7 @@ def J(arm: Arm) -> Array:
 @part(
     2,
     Numbers((6,), ["m/s"] * 3 + ["rad/s"] * 3),
-    mistakes=[
-        (
-            "This is J transposed times the joint rates; joint rates are weights of the columns of J.",
-            lambda J, qdot_b: J.T @ qdot_b,
-        )
-    ],
+    mistakes=[(TRANSPOSED_TWIST, lambda J, qdot_b: J.T @ qdot_b)],
 )
 def twist(J: Array, qdot_b: Array) -> Array:
     r"""(b) The twist $\boldsymbol\xi = (v_x, v_y, v_z, \omega_x, \omega_y, \omega_z)$ for the joint
@@ -109,6 +108,7 @@ def twist(J: Array, qdot_b: Array) -> Array:
 
 
 def judged(J: Array, arm: Arm, vx_c: float, wording: str, value: Array) -> Outcome:
+    """Right by the velocity that the rates reach; the answer to another wording is named."""
     wish = WORDINGS[wording]
     return judged_rates(J, arm.R, wish.twist(vx_c), value, wish.rows)
 
@@ -116,14 +116,17 @@ def judged(J: Array, arm: Arm, vx_c: float, wording: str, value: Array) -> Outco
 def way(wording: str) -> str:
     """How the rates are found."""
     solution = WORDINGS[wording].solution
-    return solution if wording == HELD else f"{solution} {STILL_WRIST}"
+    if wording == HELD:
+        return solution
+    return f"{solution} {STILL_WRIST}"
 
 
 def nearness(J: Array) -> str:
     """The smallest singular value, and what follows from a small one."""
     smallest = sigma_min(J)
-    end = ": the wrist is nearly straight, and large rates are right" if smallest < REGULAR else ""
-    return f"{smallest:.3f}{end}"
+    if smallest < REGULAR:
+        return f"{smallest:.3f}: the wrist is nearly straight, and large rates are right"
+    return f"{smallest:.3f}"
 
 
 @part(

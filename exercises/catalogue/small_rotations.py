@@ -1,4 +1,4 @@
-"""S0 4.9 to 4.11: the rotation vector between two close frames, and the rows of the Jacobian that give it to first order.
+"""S0 4.9 to 4.11: the rotation vector between two close frames, and the angular rows of J.
 
 The senses of the axes are drawn. The rotations are printed to six decimals; the angles are such
 that the second order, which S0's eq. 4.11 leaves out, is larger than the tolerance.
@@ -7,6 +7,7 @@ that the second order, which S0's eq. 4.11 leaves out, is larger than the tolera
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ..answers import LETTERS
 from ..arm import Arm, Array, arm_of
@@ -17,6 +18,7 @@ from ..draws import length, until
 from ..exercise import Choice, Numbers, Variant
 from ..part import exercise, part
 
+IN_TOOL_AXES = "This is the block in axes of the tool frame; base axes are asked."
 DIVISORS = (2, 4, 10)
 FACTORS = (2, 4, 8, 10, 16, 64, 100, 1000)  # the divisors, their squares and cubes
 
@@ -25,30 +27,44 @@ def draw(rng: np.random.Generator) -> dict[str, Any]:
     """An arm of one of 16 forms, a posture and a displacement whose second order shows."""
     form = int(rng.integers(len(SENSES)))
     v: dict[str, Any] = {"form": form, "k": DIVISORS[int(rng.integers(len(DIVISORS)))]}
-    v |= {name: length(rng, 0.2, 0.6) for name in LENGTHS}
+    for name in LENGTHS:
+        v[name] = length(rng, 0.2, 0.6)
     return until(lambda: v | motion(rng, form), is_telling)
 
 
 def motion(rng: np.random.Generator, form: int) -> dict[str, Any]:
     """Posture, displacement, and the rotations before and after it, to six decimals."""
     q = posture(rng)
-    dq = [round(float(x) / 1000, 3) for x in rng.integers(35, 71, 4) * rng.choice([-1, 1], 4)]
-    first, second = (np.round(rotation_at(form, at), 6) + 0.0 for at in (q, np.add(q, dq)))
-    return {"q": q, "dq": dq, "R1": first.tolist(), "R2": second.tolist()}
+    sizes = rng.integers(35, 71, 4) * rng.choice([-1, 1], 4)
+    dq = [round(float(size) / 1000, 3) for size in sizes]
+    return {"q": q, "dq": dq, "R1": printed(form, q), "R2": printed(form, np.add(q, dq))}
+
+
+def printed(form: int, q: ArrayLike) -> list[list[float]]:
+    """The rotation at q, to six decimals."""
+    return (np.round(rotation_at(form, q), 6) + 0.0).tolist()
 
 
 def is_telling(v: Variant) -> bool:
-    """Whether all components matter, what first order misses is nearly all second order, and mistakes show."""
-    arm, R1, R2, k = arm_of(robot(v["form"]), v), np.array(v["R1"]), np.array(v["R2"]), v["k"]
-    exact, first_order = between(R1, R2), B(arm) @ v["dq"]
+    """Whether all components matter, mistakes show, and what first order misses is second order."""
+    R1, R2 = np.array(v["R1"]), np.array(v["R2"])
+    exact = between(R1, R2)
+    first_order = B(arm_of(robot(v["form"]), v)) @ v["dq"]
+    if np.abs([exact, first_order]).min() < 0.008 or np.linalg.norm(exact) > 0.14:
+        return False
+
+    others = [first_order, *[wrong(R1, R2) for _, wrong in MISREAD]]
+    changes = np.abs(np.array(others) - exact).max(axis=1)
+    return bool(changes.min() >= 1e-3 and is_second_order(v, exact, first_order))
+
+
+def is_second_order(v: Variant, exact: Array, first_order: Array) -> bool:
+    """Whether what first order misses shrinks by about k^2 where dq is divided by k."""
+    arm, k = arm_of(robot(v["form"]), v), v["k"]
     after = rotation_at(v["form"], arm.q + np.array(v["dq"]) / k)
-    ratio = np.linalg.norm(exact - first_order) / np.linalg.norm(
-        between(arm.R, after) - first_order / k
-    )
-    others = [first_order, *(wrong(R1, R2) for _, wrong in MISREAD)]
-    matters = np.abs([exact, first_order]).min() >= 0.008 and np.linalg.norm(exact) <= 0.14
-    shows = min(np.abs(other - exact).max() for other in others) >= 1e-3
-    return bool(matters and shows and abs(ratio / k**2 - 1) <= 0.12)
+    missed = np.linalg.norm(exact - first_order)
+    missed_then = np.linalg.norm(between(arm.R, after) - first_order / k)
+    return bool(abs(missed / missed_then / k**2 - 1) <= 0.12)
 
 
 @part(
@@ -88,10 +104,7 @@ def dw(R1: Array, R2: Array) -> Array:
     mistakes=(
         (TURNING_SLIDE, lambda arm: arm.axes),
         (LATE, lambda arm: late(arm.frames, arm.kinds)[3:]),
-        (
-            "This is the block in axes of the tool frame; base axes are asked.",
-            lambda arm, B: arm.R.T @ B,
-        ),
+        (IN_TOOL_AXES, lambda arm, B: arm.R.T @ B),
     ),
 )
 def B(arm: Arm) -> Array:
@@ -154,6 +167,7 @@ def factor(k: int) -> str:
 
 
 def statement(arm: Arm) -> str:
+    """The arm, and what is meant by the rotation between two of its postures."""
     return rf"""{described(arm)}
 
 At $\mathbf q$ the rotation of the tool frame in base axes (those of frame 0) is $\mathbf R_1$, at
