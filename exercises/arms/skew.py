@@ -22,7 +22,7 @@ def direction(rng: np.random.Generator) -> list[int]:
 
 
 def outward(rng: np.random.Generator) -> dict[str, list[float]]:
-    """The points on the axes and the tool point, each further out, so that no lever arm is short."""
+    """Points on the axes and the tool point, each further out: no lever arm is short."""
     octant = [*rng.choice([-1, 1], 2), 1]
     points = np.cumsum(rng.integers(10, 45, (4, 3)), axis=0) * octant / 100
     return dict(zip(POINTS, points.round(2).tolist(), strict=True))
