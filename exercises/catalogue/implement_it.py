@@ -1,4 +1,4 @@
-"""S2, "one code to rule them all": the Jacobian of any arm from its Denavit-Hartenberg table, as a function.
+"""S2, "one code to rule them all": the Jacobian of any arm from its table, as a function.
 
 The function is called with robots that the student has not seen. Who works without Python hands in
 what it would return for the published robots.
@@ -55,15 +55,28 @@ def draw(rng: np.random.Generator) -> dict[str, Any]:
 
 def hidden(v: Variant) -> Calls:
     """The calls that are marked."""
-    return {group: [tuple(arm) for arm in v[group]] for group in GROUPS}
+    calls: Calls = {}
+    for group in GROUPS:
+        calls[group] = [tuple(arm) for arm in v[group]]
+    return calls
 
 
 def published(v: Variant) -> Calls:
     """The calls whose results may be handed in instead."""
-    return {
-        f"robot {i}": [(v[f"dh_{i}"], kinds, v[f"joints_{i}"])]
-        for i, kinds in enumerate(PUBLISHED, 1)
-    }
+    calls: Calls = {}
+    for i, kinds in enumerate(PUBLISHED, 1):
+        calls[f"robot {i}"] = [(v[f"dh_{i}"], kinds, v[f"joints_{i}"])]
+    return calls
+
+
+def published_units() -> dict[str, Any]:
+    """Units of the tables and joint variables of the published robots."""
+    units: dict[str, Any] = {}
+    for i, kinds in enumerate(PUBLISHED, 1):
+        units[f"dh_{i}"] = [["rad", "m", "m", "rad"]] * len(kinds)
+    for i, kinds in enumerate(PUBLISHED, 1):
+        units[f"joints_{i}"] = [UNIT[kind] for kind in kinds]
+    return units
 
 
 # It is printed as the worked solution, where nothing but np is known: its annotations stay text.
@@ -71,8 +84,13 @@ def reference(dh: "Array", kinds: str, q: "Array") -> "Array":
     """J (6, n) of the last frame's origin in base axes, linear rows above angular ones."""
     T = [np.eye(4)]
     for (theta, d, a, alpha), kind, x in zip(dh, kinds, q, strict=True):
-        angle, shift = (theta + x, d) if kind == "R" else (theta, d + x)
-        c, s, ca, sa = np.cos(angle), np.sin(angle), np.cos(alpha), np.sin(alpha)
+        angle, shift = theta, d
+        if kind == "R":
+            angle = theta + x
+        else:
+            shift = d + x
+        c, s = np.cos(angle), np.sin(angle)
+        ca, sa = np.cos(alpha), np.sin(alpha)
         A = np.array(
             [
                 [c, -s * ca, s * sa, a * c],
@@ -84,9 +102,11 @@ def reference(dh: "Array", kinds: str, q: "Array") -> "Array":
         T.append(T[-1] @ A)
     J = np.zeros((6, len(kinds)))
     for i, kind in enumerate(kinds):
-        z, lever = T[i][:3, 2], T[-1][:3, 3] - T[i][:3, 3]
+        z = T[i][:3, 2]
+        lever = T[-1][:3, 3] - T[i][:3, 3]
         if kind == "R":
-            J[:3, i], J[3:, i] = np.cross(z, lever), z
+            J[:3, i] = np.cross(z, lever)
+            J[3:, i] = z
         else:
             J[:3, i] = z
     return J
@@ -122,18 +142,13 @@ def jacobian() -> TableFunction:
     return reference
 
 
-@part(
-    2,
-    Manual(
-        (
-            (
-                1,
-                "the steps by hand, what they take and give, and why they are done anew for every arm",
-            ),
-            (1, "the automated steps in their order, each with what it takes and gives"),
-        )
-    ),
+RUBRIC = (
+    (1, "the steps by hand, what they take and give, and why they are done anew for every arm"),
+    (1, "the automated steps in their order, each with what it takes and gives"),
 )
+
+
+@part(2, Manual(RUBRIC))
 def steps() -> str:
     """Which steps from an arm on the table to its Jacobian are done by hand, and which are
     automated by your function? Say in your own words what each step takes and gives, and why those
@@ -144,10 +159,11 @@ def steps() -> str:
     <steps>
     """
     return (
-        "By hand: the frames are placed on the drawing of the arm and the table is read off them; that takes a look at "
-        "every arm and a choice of base, directions and zeros. Automated: each row becomes a transform, the transforms "
-        "are multiplied to those from the base, and the columns follow from their third and fourth columns by the type "
-        "of the joint; these steps are the same for every arm."
+        "By hand: the frames are placed on the drawing of the arm and the table is read off them; "
+        "that takes a look at every arm and a choice of base, directions and zeros. Automated: "
+        "each row becomes a transform, the transforms are multiplied to those from the base, and "
+        "the columns follow from their third and fourth columns by the type of the joint; these "
+        "steps are the same for every arm."
     )
 
 
@@ -162,13 +178,7 @@ EXERCISE = exercise(
     ),
     draw=draw,
     statement=STATEMENT,
-    units={
-        **{
-            f"dh_{i}": [["rad", "m", "m", "rad"]] * len(kinds)
-            for i, kinds in enumerate(PUBLISHED, 1)
-        },
-        **{f"joints_{i}": [UNIT[kind] for kind in kinds] for i, kinds in enumerate(PUBLISHED, 1)},
-    },
+    units=published_units(),
     hidden=tuple(GROUPS),
     scale=1.0,
     parts=(jacobian, steps),

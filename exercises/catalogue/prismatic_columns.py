@@ -1,4 +1,4 @@
-"""S1 5.27: the column of a prismatic joint, in the last frame and in the base, on the Stanford arm."""
+"""S1 5.27: the column of the Stanford arm's slide, in the last frame and in the base."""
 
 from typing import Any
 
@@ -19,7 +19,7 @@ KINDS = ROBOT.kinds
 SLIDE = 2  # index of joint 3
 SHOWS = 0.05  # by which a mistake changes a column
 TOLERANCE = (
-    2e-3  # of the entries of J: three decimals, from transforms and a column that were rounded
+    2e-3  # of the entries of J: three decimals, from rounded transforms and a rounded column
 )
 WEIGHT = 0.4  # of column 3 in the points for J: what this exercise is about
 COLUMN = Numbers((6,), "1", 3)
@@ -33,55 +33,61 @@ REASONS = (
 REASON_OPTIONS = ("reason 1", "reason 2", "reason 3", "reason 4")  # in the drawn order
 UNIT_OPTIONS = (
     "all entries of the linear rows are multiplied by 1000, the angular rows stay",
-    "the linear rows of the revolute columns are multiplied by 1000, column 3 and the angular rows stay",
+    (
+        "the linear rows of the revolute columns are multiplied by 1000, "
+        "column 3 and the angular rows stay"
+    ),
     "column 3 is multiplied by 1000, all other columns stay",
     "column 3 is divided by 1000, all other columns stay",
     r"the revolute columns are multiplied by $\pi/180$ in all six rows, column 3 stays",
     r"the revolute columns are multiplied by $180/\pi$ in all six rows, column 3 stays",
 )
+MILLIMETRES = (
+    "every length and linear velocity is given in millimetres, the stroke $q_3$ and its rate too"
+)
+SLIDE_RATE = "only the rate of joint 3 is given in millimetres per second, and nothing else changes"
+DEGREE_RATES = (
+    "only the rates of the revolute joints are given in degrees per second; "
+    "twists stay in m/s and rad/s"
+)
 CHANGES = (  # of units, and the letter of what becomes of J
-    (
-        "every length and linear velocity is given in millimetres, the stroke $q_3$ and its rate too",
-        "b",
-    ),
-    ("only the rate of joint 3 is given in millimetres per second, and nothing else changes", "d"),
-    (
-        "only the rates of the revolute joints are given in degrees per second; twists stay in m/s and rad/s",
-        "e",
-    ),
+    (MILLIMETRES, "b"),
+    (SLIDE_RATE, "d"),
+    (DEGREE_RATES, "e"),
 )
 OTHER_TYPE = "Which formula belongs to a slide? Look again at the type of joint 3."
 TURNS = "The angular rows: how fast does the hand turn while only joint 3 slides?"
 THIRD = "n, o and a are the columns of the rotation; the formula takes one entry of each."
 IN_LAST = "This is in the axes of frame 6; base axes are asked."
+IN_BASE = "This is in base axes; the axes of frame 6 are asked."
 OTHER_AXIS = "The axis of joint i is z of frame i - 1; this one belongs to another joint."
 STROKE = "The stroke itself does not belong there: what moves the hand is the rate of joint 3."
+STROKE_IN_3 = f"Column 3: t{STROKE[1:]}"
 
 
 def draw(rng: np.random.Generator) -> dict[str, Any]:
-    """A posture in which column 3 looks the same in no two readings, a change of units, and an order of the reasons."""
+    """A posture in which mistakes show, a change of units, and an order of the reasons."""
     change = int(rng.integers(len(CHANGES)))
 
     def drawn() -> dict[str, Any]:
-        sizes = {"d2": length(rng, 0.1, 0.4), "d6": length(rng, 0.1, 0.4)}
-        return {"change": change, **sizes, "q": [*angles(rng, 2), length(rng), *angles(rng, 3)]}
+        v: dict[str, Any] = {"change": change}
+        v["d2"] = length(rng, 0.1, 0.4)
+        v["d6"] = length(rng, 0.1, 0.4)
+        v["q"] = [*angles(rng, 2), length(rng), *angles(rng, 3)]
+        return v
 
     v = until(drawn, lambda v: shows_mistakes(arm_of(ROBOT, v)))
-    return {**v, "reasons": [int(k) for k in rng.permutation(len(REASONS))]}
+    return {**v, "reasons": rng.permutation(len(REASONS)).tolist()}
 
 
 def shows_mistakes(arm: Arm) -> bool:
     """Whether every known mistake changes column 3."""
     T, stroke = arm.frames, arm.q[SLIDE]
-    lasts = (
-        last(T),
-        last(T) * stroke,
-        in_last_frame(T, "R"),
-        above_zeros(to_last_frame(T)),
-        base(T),
-    )
-    bases = (base(T), base(T) * stroke, all_turning(T, KINDS)[:, SLIDE], above_zeros(T[SLIDE - 1]))
-    return all(np.abs(wrong - own[0]).max() > SHOWS for own in (lasts, bases) for wrong in own[1:])
+    in_last, in_base = last(T), base(T)
+    wrong_last = [in_last * stroke, in_last_frame(T, "R"), above_zeros(to_last_frame(T)), in_base]
+    wrong_base = [in_base * stroke, all_turning(T, KINDS)[:, SLIDE], above_zeros(T[SLIDE - 1])]
+    changes = np.concatenate([np.array(wrong_last) - in_last, np.array(wrong_base) - in_base])
+    return bool((np.abs(changes).max(axis=1) > SHOWS).all())
 
 
 def to_last_frame(frames: Array) -> Array:
@@ -118,7 +124,7 @@ def frames(arm: Arm) -> Array:
         (OTHER_TYPE, lambda frames: in_last_frame(frames, "R")),
         (TURNS, lambda last: np.tile(last[:3], 2)),
         (THIRD, lambda frames: above_zeros(to_last_frame(frames))),
-        ("This is in base axes; the axes of frame 6 are asked.", lambda arm: arm.J[:, SLIDE]),
+        (IN_BASE, lambda arm: arm.J[:, SLIDE]),
         (STROKE, lambda last, q: last * q[SLIDE]),
     ),
 )
@@ -170,13 +176,23 @@ def base(frames: Array) -> Array:
 
 
 def weighed(value: Array, J: Array) -> Outcome:
-    """Column 3 earns its weight as a whole, the others share the rest; a wrong zero or one voids its column."""
+    """Column 3 earns its weight as a whole, the others share the rest.
+
+    Zeros and ones earn nothing, but a wrong one voids its column.
+    """
     right = np.abs(value - J) <= TOLERANCE
-    earning = (np.abs(np.abs(J)[..., None] - (0.0, 1.0)) > TOLERANCE).all(-1)
+    if right.all():
+        return Outcome(right, share=1.0)
+
+    is_zero = np.abs(J) <= TOLERANCE
+    is_one = np.abs(np.abs(J) - 1.0) <= TOLERANCE
+    earning = ~(is_zero | is_one)
     earned = right & earning & (right | earning).all(axis=0)
-    rest = float(np.delete(earned, SLIDE, 1).sum() / np.delete(earning, SLIDE, 1).sum())
-    share = (1 - WEIGHT) * rest + WEIGHT * float(right[:, SLIDE].all())
-    return Outcome(right, share=1.0 if right.all() else share)
+
+    others = [i for i in range(len(KINDS)) if i != SLIDE]
+    rest = float(earned[:, others].sum() / earning[:, others].sum())
+    column_3 = float(right[:, SLIDE].all())
+    return Outcome(right, share=(1 - WEIGHT) * rest + WEIGHT * column_3)
 
 
 @part(
@@ -190,7 +206,7 @@ def weighed(value: Array, J: Array) -> Outcome:
         (TURNING_SLIDE, lambda J, base: with_column(J, np.tile(base[:3], 2))),
         (LATE, lambda frames: late(frames, KINDS)),
         (IN_LAST, lambda arm: tool_axes(arm.frames, KINDS)),
-        (f"Column 3: t{STROKE[1:]}", lambda J, base, q: with_column(J, base * q[SLIDE])),
+        (STROKE_IN_3, lambda J, base, q: with_column(J, base * q[SLIDE])),
     ),
 )
 def J(base: Array, frames: Array) -> Array:
@@ -247,6 +263,7 @@ def units(change: int) -> str:
 
 
 def statement(reasons: Array, change: int) -> str:
+    """The table, the reasons in their drawn order, and the change of units."""
     listed = "\n".join(f"- **reason {i}**: {REASONS[k]}." for i, k in enumerate(reasons, 1))
     return rf"""In the Stanford arm joint 3 is a slide. Its table in the **standard**
 Denavit–Hartenberg convention:
@@ -265,7 +282,10 @@ For the question about units: **{CHANGES[change][0]}**."""
 
 
 CAPTION = "Your Stanford arm at your q, with frame 0 and frame 6."
-ALT = "Stanford arm: two revolute joints, a slide and a wrist of three revolute joints, drawn at your q."
+ALT = (
+    "Stanford arm: two revolute joints, a slide and a wrist of three revolute joints, "
+    "drawn at your q."
+)
 EXERCISE = exercise(
     "prismatic_columns",
     title="The column of a prismatic joint",
