@@ -68,8 +68,11 @@ def is_plain(rotations: Array) -> Array:
 
 def statement(v: Variant) -> str:
     """The table with its columns in the drawn order, and what they mean."""
-    return rf"""The table of an arm with three joints ({joint_types(v["kinds"])}) in the
-**standard** Denavit–Hartenberg convention:
+    heading = (
+        f"The table of an arm with three joints ({joint_types(v['kinds'])}) in the **standard** "
+        "Denavit–Hartenberg convention:"
+    )
+    return rf"""{heading}
 
 {printed(v)}
 

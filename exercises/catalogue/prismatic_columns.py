@@ -4,19 +4,24 @@ from typing import Any
 
 import numpy as np
 
-from ...solutions.jacobian import last_frame_columns
-from ...solutions.robots import ROBOTS
 from ..answers import LETTERS, Choice, Numbers
 from ..arm import Arm, Array, arm_of
+from ..arms.stanford import (
+    KINDS,
+    ROBOT,
+    SLIDE,
+    above_zeros,
+    drawn,
+    in_last_frame,
+    to_last_frame,
+    with_column,
+)
 from ..calculations.columns import LATE, TURNING, TURNING_SLIDE, all_turning, late, right, tool_axes
 from ..contract.printed_table import printed_table, table_rows
 from ..draws import angles, length, until
 from ..exercise import Outcome
 from ..part import exercise, part
 
-ROBOT = ROBOTS["stanford_spong"]
-KINDS = ROBOT.kinds
-SLIDE = 2  # index of joint 3
 SHOWS = 0.05  # by which a mistake changes a column
 TOLERANCE = (
     2e-3  # of the entries of J: three decimals, from rounded transforms and a rounded column
@@ -69,14 +74,14 @@ def draw(rng: np.random.Generator) -> dict[str, Any]:
     """A posture in which mistakes show, a change of units, and an order of the reasons."""
     change = int(rng.integers(len(CHANGES)))
 
-    def drawn() -> dict[str, Any]:
+    def arm() -> dict[str, Any]:
         v: dict[str, Any] = {"change": change}
         v["d2"] = length(rng, 0.1, 0.4)
         v["d6"] = length(rng, 0.1, 0.4)
         v["q"] = [*angles(rng, 2), length(rng), *angles(rng, 3)]
         return v
 
-    v = until(drawn, lambda v: shows_mistakes(arm_of(ROBOT, v)))
+    v = until(arm, lambda v: shows_mistakes(arm_of(ROBOT, v)))
     return {**v, "reasons": rng.permutation(len(REASONS)).tolist()}
 
 
@@ -88,26 +93,6 @@ def shows_mistakes(arm: Arm) -> bool:
     wrong_base = [in_base * stroke, all_turning(T, KINDS)[:, SLIDE], above_zeros(T[SLIDE - 1])]
     changes = np.concatenate([np.array(wrong_last) - in_last, np.array(wrong_base) - in_base])
     return bool((np.abs(changes).max(axis=1) > SHOWS).all())
-
-
-def to_last_frame(frames: Array) -> Array:
-    """The pose (4, 4) of frame 6 in frame 2."""
-    return np.linalg.inv(frames[SLIDE]) @ frames[-1]
-
-
-def in_last_frame(frames: Array, kind: str) -> Array:
-    """Column 3 in the axes of frame 6 for a joint of this type."""
-    return last_frame_columns(to_last_frame(frames)[None], kind)[:, 0]
-
-
-def above_zeros(pose: Array) -> Array:
-    """The z axis of a pose (4, 4) above zeros, (6,)."""
-    return np.append(pose[:3, 2], np.zeros(3))
-
-
-def with_column(J: Array, column: Array) -> Array:
-    """J (6, 6) with another column 3."""
-    return np.where(np.arange(len(KINDS)) == SLIDE, column[:, None], J)
 
 
 @part(0, Numbers((7, 4, 4)), asked=False)
@@ -281,11 +266,6 @@ Why does column 3 hold no lengths? One of these reasons is right:
 For the question about units: **{CHANGES[change][0]}**."""
 
 
-CAPTION = "Your Stanford arm at your q, with frame 0 and frame 6."
-ALT = (
-    "Stanford arm: two revolute joints, a slide and a wrist of three revolute joints, "
-    "drawn at your q."
-)
 EXERCISE = exercise(
     "prismatic_columns",
     title="The column of a prismatic joint",
@@ -299,6 +279,6 @@ EXERCISE = exercise(
     structure=("change", "reasons"),
     draw=draw,
     statement=statement,
-    drawings=lambda arm: arm.drawing(CAPTION, ALT, tool="6", arrows=False),
+    drawings=drawn,
     parts=(frames, last, base, J, why, units),
 )
