@@ -15,6 +15,7 @@ from ...solutions.singularity import rank, singular_values
 from ..answers import LETTERS, Choice, Configurations, Numbers
 from ..arm import Arm, Array, arm_of
 from ..arms.puma import PUMA, REACH, TABLE, drawn
+from ..arms.puma_singular import blocks, elbow_angles, loses_one_direction, posture
 from ..calculations.columns import TOOL_AXES, tool_axes
 from ..calculations.lost import (
     ANGLE,
@@ -22,16 +23,13 @@ from ..calculations.lost import (
     judged_lost,
     left_over,
     lost_direction,
-    still_rates,
     weakest,
 )
-from ..draws import angles, length, rates, until
+from ..draws import length, rates, until
 from ..exercise import Outcome
 from ..part import exercise, part
-from ..properties import list_share, listed, parallel
+from ..properties import list_share, listed
 
-REGULAR = 0.05  # what the other singular values are at least, of the largest
-CLEAR = 0.04  # of a second factor from zero: where the elbow is folded, the wrist centre is near axis 2 as well
 ELBOW = 2e-3  # largest error of an angle of the elbow [rad]
 REASONS = (
     "the wrist block: axes 4 and 6 lie in one line",
@@ -41,6 +39,18 @@ REASONS = (
     "none of these: J is not square",
 )
 SOLUTIONS = ("none", "exactly one", "infinitely many")
+FULL_RANK = (
+    "These are the numbers of joints; the rank depends on q. "
+    "Did rounding of q pass for a singular value?"
+)
+WHOLE_J = "A block loses rank here; what does that do to the whole of J?"
+RANKS = r"\left(\mathrm{rank}\,\mathbf J, \mathrm{rank}\,\mathbf A, \mathrm{rank}\,\mathbf W\right)"
+ONE_BRANCH = "There is another branch: the tangent repeats after pi, the arm is straight or folded."
+RIGHT_ANGLE = (
+    "A right angle would be right without a3: the wrist centre lies beside the forearm's axis."
+)
+SIGN = "Look again at a sign: which sine and which cosine cancel each other?"
+QUOTIENT = "Look again at the quotient: which of the two lengths stands with the sine?"
 
 STATEMENT = rf"""{TABLE}
 
@@ -59,57 +69,19 @@ is exchanged for another one."""
 
 
 def draw(rng: np.random.Generator) -> dict[str, Any]:
-    """A posture singular in one way, a twist that may be out of reach there, and another forearm."""
+    """A posture singular in one way, a twist that may be out of reach, and another forearm."""
     way = int(rng.integers(3))
-    q = until(lambda: posture(rng, way), lambda q: is_telling(arm_of(PUMA, {"q": q})))
+    q = until(lambda: posture(rng, way), lambda q: loses_one_direction(arm_of(PUMA, {"q": q})))
     J = arm_of(PUMA, {"q": q}).J
     xi = until(lambda: drawn_twist(rng, J), lambda xi: np.abs(xi).min() >= 0.02)
     return {"q": q, "xi": xi, "a3": length(rng, 0.03, 0.12), "d4": length(rng, 0.36, 0.52)}
 
 
-def posture(rng: np.random.Generator, way: int) -> list[float]:
-    """Generic angles but for the one that makes wrist, elbow or shoulder singular (0, 1, 2)."""
-    q = angles(rng, 6, [(1, 2)])
-    a2, a3, d4 = (PUMA.parameters[name] for name in ("a2", "a3", "d4"))
-    if way == 0:
-        q[4] = float(rng.choice([0.0, 3.141593]))
-    elif way == 1:
-        q[2] = round(float(elbow(a3, d4)[rng.integers(2), 0]), 6)
-    else:  # a2 cos q2 + a3 cos(q2 + q3) - d4 sin(q2 + q3) = 0
-        s, c = np.sin(q[2]), np.cos(q[2])
-        q2 = float(np.arctan2(a2 + a3 * c - d4 * s, a3 * s + d4 * c))
-        q[1] = round(q2 - float(np.sign(q2)) * np.pi * int(rng.integers(2)), 6)
-    return q
-
-
-def is_telling(arm: Arm) -> bool:
-    """Whether one factor is zero and no other is small, nor another singular value, and the lost direction not plain."""
-    shares = [
-        singular_values(block) / singular_values(block)[0] for block in (arm.J, *blocks(arm.J))
-    ]
-    smallest = sorted(share[-1] for share in shares)
-    others = min(smallest[2], *(share[-2] for share in shares))
-    block = weakest(blocks(arm.J))
-    u, plain = (
-        lost_direction(block),
-        [*np.eye(3), np.ones(3), np.array([1, 1, 0]), still_rates(block)],
-    )
-    is_plain = any(parallel(direction, u, 0.1) for direction in plain)
-    second = np.sort(np.abs(arm.factors))[1]
-    return bool(smallest[1] < 1e-5 and others >= REGULAR and second >= CLEAR and not is_plain)
-
-
 def drawn_twist(rng: np.random.Generator, J: Array) -> list[float]:
     """A twist within reach or, as often, out of reach; the two look alike."""
     beside = float(rng.choice([0.0, 0.0, -0.4, 0.4]))
-    return (
-        np.round(J @ rates(rng, 6) + beside * velocity_ellipsoid(J).axes[:, -1], 4) + 0.0
-    ).tolist()
-
-
-def blocks(J: Array) -> tuple[Array, Array]:
-    """The arm block A, linear rows of joints 1 to 3, and the wrist block W, angular rows of joints 4 to 6."""
-    return J[:3, :3], J[3:, 3:]
+    xi = J @ rates(rng, 6) + beside * velocity_ellipsoid(J).axes[:, -1]
+    return (np.round(xi, 4) + 0.0).tolist()
 
 
 @part(
@@ -137,10 +109,16 @@ def J(arm: Arm) -> Array:
 
 def sizes(J: Array) -> str:
     """Singular values of J, A and W."""
-    lists = [
-        ", ".join(f"{size:.4f}" for size in singular_values(block)) for block in (J, *blocks(J))
-    ]
-    return r"of $\mathbf J$: {}; of $\mathbf A$: {}; of $\mathbf W$: {}".format(*lists)
+    A, W = blocks(J)
+    return (
+        rf"of $\mathbf J$: {in_words(J)}; of $\mathbf A$: {in_words(A)}; "
+        rf"of $\mathbf W$: {in_words(W)}"
+    )
+
+
+def in_words(block: Array) -> str:
+    """The singular values of a block, with four decimals."""
+    return ", ".join(f"{size:.4f}" for size in singular_values(block))
 
 
 @part(
@@ -148,16 +126,10 @@ def sizes(J: Array) -> str:
     Numbers((3,), "1", decimals=0),
     credit="all",
     tolerance=1e-6,
-    shows={"sizes": sizes},
+    shows={"sizes": sizes, "symbols": lambda: RANKS},
     mistakes=[
-        (
-            "These are the numbers of joints; the rank depends on q. Did rounding of q pass for a singular value?",
-            lambda: np.array([6, 3, 3]),
-        ),
-        (
-            "A block loses rank here; what does that do to the whole of J?",
-            lambda ranks: np.array([6, *ranks[1:]]),
-        ),
+        (FULL_RANK, lambda: np.array([6, 3, 3])),
+        (WHOLE_J, lambda ranks: np.array([6, *ranks[1:]])),
     ],
 )
 def ranks(J: Array) -> Array:
@@ -172,7 +144,7 @@ def ranks(J: Array) -> Array:
     one, so does $\mathbf J$.
 
     Singular values <sizes>. The ranks:
-    $$\left(\mathrm{rank}\,\mathbf J, \mathrm{rank}\,\mathbf A, \mathrm{rank}\,\mathbf W\right) = <ranks>$$
+    $$<symbols> = <ranks>$$
     """
     return np.array([rank(block, ZERO) for block in (J, *blocks(J))])
 
@@ -246,38 +218,28 @@ def solutions(J: Array, xi: Array) -> str:
     """
     if np.linalg.norm(left_over(J, xi)) > 0.01 * np.linalg.norm(xi):
         return "a"
-    return "b" if rank(J, ZERO) == 6 else "c"
+    if rank(J, ZERO) == 6:
+        return "b"
+    return "c"
 
 
 def judged_elbow(a3: float, d4: float, elbow: Array, value: Array) -> Outcome:
-    """Each wrong angle costs a right one; of a wrong one the slip is named, up to sign and half a turn."""
+    """Each wrong angle costs a right one, and the slip is named, up to sign and half a turn."""
     right, share = list_share(value, elbow, ELBOW)
-    finding = ""
     if right.all() and share < 1:
-        finding = (
-            "There is another branch: the tangent repeats after pi, the arm is straight or folded."
-        )
+        return Outcome(right, finding=ONE_BRANCH, share=share)
+
     slips = (
-        (
-            np.pi / 2,
-            "A right angle would be right without a3: the wrist centre lies beside the forearm's axis.",
-        ),
-        (
-            np.arctan2(d4, a3),
-            "Look again at a sign: which sine and which cosine cancel each other?",
-        ),
-        (
-            np.arctan2(a3, d4),
-            "Look again at the quotient: which of the two lengths stands with the sine?",
-        ),
+        (np.pi / 2, RIGHT_ANGLE),
+        (np.arctan2(d4, a3), SIGN),
+        (np.arctan2(a3, d4), QUOTIENT),
     )
+    wrong = value[~right[:, 0]]
     for slip, sentence in slips:
-        seen = listed(
-            value[~right[:, 0]], [[slip], [-slip], [slip - np.pi], [np.pi - slip]], ELBOW
-        )[0]
-        if seen.any():
-            finding = finding or sentence
-    return Outcome(right, finding=finding, share=share)
+        is_slip, _ = listed(wrong, [[slip], [-slip], [slip - np.pi], [np.pi - slip]], ELBOW)
+        if is_slip.any():
+            return Outcome(right, finding=sentence, share=share)
+    return Outcome(right, share=share)
 
 
 @part(2, Configurations(1), check=judged_elbow, shows={"angles": lambda elbow: elbow[:, 0]})
@@ -294,8 +256,7 @@ def elbow(a3: float, d4: float) -> Array:
     $(-\pi, \pi]$: the arm stretched and the arm folded.
     $$q_3 = <angles>$$
     """
-    first = -np.arctan2(d4, a3)
-    return np.array([[first], [first + np.pi]])
+    return elbow_angles(a3, d4)[:, None]
 
 
 EXERCISE = exercise(
@@ -305,7 +266,10 @@ EXERCISE = exercise(
     minutes=60,
     objectives=(
         "Tell from rank and determinant whether a Jacobian can be inverted.",
-        "Find the direction that a singular posture loses, and whether a velocity can still be reached.",
+        (
+            "Find the direction that a singular posture loses, and whether a velocity can still "
+            "be reached."
+        ),
     ),
     robot=PUMA,
     sizes=(),  # the drawn a3 and d4 are for the last question

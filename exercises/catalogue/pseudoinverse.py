@@ -1,4 +1,4 @@
-"""S3 5.2.1: the pseudoinverse of a redundant arm, what it gives, and the motions that it leaves free.
+"""S3 5.2.1: the pseudoinverse of a redundant arm, what it gives, and the motions it leaves free.
 
 S3 says that the pseudoinverse "gives the identity, just like the real inverse". That holds on one
 side only, and on which one depends on the shape and the rank of the matrix, so that each sheet asks
@@ -39,6 +39,13 @@ SIDES = (
     "both",
     "neither",
 )
+OTHER_SIDE = {"a": "b", "b": "a", "c": "d", "d": "c"}  # rows and columns of K exchanged
+J_TRANSPOSED = "This is J transposed; multiply it by J and see whether the identity comes out."
+RANK = "Compare the rank of K with its number of rows and with its number of columns."
+SET_TO_ZERO = (
+    "One rate is set to zero and the others are left as they were; that changes the twist."
+)
+WRONG_AMOUNT = "The motion (d) is taken away in the wrong amount: joint k does not come to rest."
 RUBRIC = (
     (1, "by what the solutions differ, and how that lies to the shortest one, with a reason"),
     (1, "what follows for the lengths"),
@@ -46,7 +53,11 @@ RUBRIC = (
 
 
 def statement(columns: Array, k: int) -> str:
-    again = ", the last of them a second time," if len(set(columns)) < len(columns) else ""
+    """What is given, and which columns of J make K."""
+    chosen = ", ".join(map(str, columns))
+    again = ""
+    if has_a_column_twice(columns):
+        again = ", the last of them a second time,"
     return rf"""The Franka Emika Panda has seven revolute joints. You are given its 6 × 7 Jacobian
 $\mathbf J$ in one posture, in base axes at the hand point, linear rows above angular rows, and a
 twist $\boldsymbol\xi$ of the hand (linear velocity above angular velocity). Take the printed
@@ -55,33 +66,41 @@ numbers as exact. $\mathbf J$ has rank 6.
 The joint rates $\dot{{\mathbf q}} = (\dot q_1, \ldots, \dot q_7)$ have the length
 $|\dot{{\mathbf q}}| = \sqrt{{\dot q_1^2 + \cdots + \dot q_7^2}}$.
 
-For (b): $\mathbf K$ is the 6 × {len(columns)} matrix of the columns {", ".join(map(str, columns))}
-of your $\mathbf J${again} and $\mathbf K^{{+}}$ is its pseudoinverse.
+For (b): $\mathbf K$ is the 6 × {len(columns)} matrix of the columns {chosen} of your
+$\mathbf J${again} and $\mathbf K^{{+}}$ is its pseudoinverse.
 
 For (e): your joint $k$ is joint {k}."""
 
 
 def draw(rng: np.random.Generator) -> dict[str, Any]:
-    """A posture, its Jacobian as printed, a twist, the joint k that stands still at the end, and the columns of K."""
+    """A posture, its J as printed, a twist, the joint k that is to stand still, and K."""
     while True:
-        q = [
-            round(float(low + (high - low) * rng.uniform(0.15, 0.85)), 3)
-            for low, high in ROBOT.limits
-        ]
+        q = posture(rng)
         J = np.round(jacobian(ROBOT.chain(), q), 4) + 0.0
         shares = np.abs(still_rates(J))
-        fitting = [k for k in range(1, 8) if SHARE[0] <= shares[k - 1] <= SHARE[1]]
-        if not fitting or sigma_min(J) < REGULAR:
+        fitting = np.flatnonzero((shares >= SHARE[0]) & (shares <= SHARE[1])) + 1
+        if not fitting.size or sigma_min(J) < REGULAR:
             continue
+
         k = int(rng.choice(fitting))
-        signs, sizes = (
-            rng.choice([-1, 1], 6),
-            np.concatenate([rng.integers(5, 31, 3), rng.integers(20, 91, 3)]),
-        )
-        xi = [round(float(x) / 100, 2) for x in signs * sizes]
+        xi = drawn_twist(rng)
         turns = abs((pseudoinverse(J) @ xi)[k - 1]) >= SEEN
         if turns and sigma_min(np.delete(J, k - 1, axis=1)) >= REGULAR:
             return {"J": J.tolist(), "xi": xi, "k": k, "q": q, "columns": columns_of_K(rng, J)}
+
+
+def posture(rng: np.random.Generator) -> list[float]:
+    """Joint angles (7,) [rad] away from the limits of the arm."""
+    low, high = np.array(ROBOT.limits).T
+    q = low + (high - low) * rng.uniform(0.15, 0.85, 7)
+    return [round(float(x), 3) for x in q]
+
+
+def drawn_twist(rng: np.random.Generator) -> list[float]:
+    """A twist (6,) [m/s, rad/s] with two decimals."""
+    signs = rng.choice([-1, 1], 6)
+    sizes = np.concatenate([rng.integers(5, 31, 3), rng.integers(20, 91, 3)])
+    return np.round(signs * sizes / 100, 2).tolist()
 
 
 def columns_of_K(rng: np.random.Generator, J: Array) -> list[int]:
@@ -89,10 +108,15 @@ def columns_of_K(rng: np.random.Generator, J: Array) -> list[int]:
     count, again = ((7, 0), (7, 0), (6, 0), (4, 0), (5, 1))[int(rng.integers(5))]
 
     def chosen() -> list[int]:
-        columns = sorted(int(i) for i in rng.choice(np.arange(1, 8), count, replace=False))
+        columns = np.sort(rng.choice(np.arange(1, 8), count, replace=False)).tolist()
         return columns + columns[:1] * again
 
     return until(chosen, lambda columns: bool(sigma_min(J[:, np.unique(columns) - 1]) >= REGULAR))
+
+
+def has_a_column_twice(columns: Array) -> bool:
+    """Whether K has lower rank than the number of its rows and of its columns."""
+    return len(set(columns)) < len(columns)
 
 
 @part(
@@ -100,12 +124,7 @@ def columns_of_K(rng: np.random.Generator, J: Array) -> list[int]:
     Numbers((7, 6), [["rad/m"] * 3 + ["1"] * 3] * 7),
     check=judged_pseudoinverse,
     credit="column",
-    mistakes=[
-        (
-            "This is J transposed; multiply it by J and see whether the identity comes out.",
-            lambda J: J.T,
-        )
-    ],
+    mistakes=[(J_TRANSPOSED, lambda J: J.T)],
 )
 def pinv(J: Array) -> Array:
     r"""(a) The pseudoinverse $\mathbf J^{+}$, a 7 × 6 matrix
@@ -125,22 +144,23 @@ def comparison(J: Array, columns: Array, sides: str) -> str:
     """The ranks, for K and beside it for J, where K is another matrix."""
     K = J[:, columns - 1]
     size = f"6 × {K.shape[1]} with rank {rank(K, 1e-6)}"
-    of_J = r"$\mathbf J \mathbf J^{+} = \mathbf I$, but $\mathbf J^{+} \mathbf J$ is a projection of rank 6."
+    of_J = (
+        r"$\mathbf J \mathbf J^{+} = \mathbf I$, but $\mathbf J^{+} \mathbf J$ is a projection "
+        "of rank 6."
+    )
     if K.shape == J.shape:
         return rf"Your $\mathbf K$ is $\mathbf J$ itself, {size}: the answer is {sides}). {of_J}"
-    return rf"Your $\mathbf K$ is {size}: the answer is {sides}). For the 6 × 7 matrix $\mathbf J$ it is a): {of_J}"
+    return (
+        rf"Your $\mathbf K$ is {size}: the answer is {sides}). "
+        rf"For the 6 × 7 matrix $\mathbf J$ it is a): {of_J}"
+    )
 
 
 @part(
     1,
     Choice(SIDES),
     shows={"comparison": comparison},
-    mistakes=[
-        (
-            "Compare the rank of K with its number of rows and with its number of columns.",
-            lambda sides: {"a": "b", "b": "a", "c": "d", "d": "c"}[sides],
-        )
-    ],
+    mistakes=[(RANK, lambda sides: OTHER_SIDE[sides])],
 )
 def sides(columns: Array) -> str:
     r"""(b) Which of $\mathbf K \mathbf K^{+} = \mathbf I$ and $\mathbf K^{+} \mathbf K = \mathbf I$
@@ -155,7 +175,7 @@ def sides(columns: Array) -> str:
 
     <comparison>
     """
-    if len(set(columns)) < len(columns):
+    if has_a_column_twice(columns):
         return "d"
     return {7: "a", 6: "c", 4: "b"}[len(columns)]
 
@@ -199,8 +219,9 @@ def null(J: Array) -> Array:
 
 def judged_still(J: Array, xi: Array, k: int, value: Array) -> Outcome:
     """By what is asked: the twist, and joint k at rest."""
-    is_right = gives_twist(J, xi, value) and abs(value[k - 1]) <= HALF
-    return Outcome(right=np.ones(7, dtype=bool)) if is_right else Outcome()
+    if gives_twist(J, xi, value) and abs(value[k - 1]) <= HALF:
+        return Outcome(right=np.ones(7, dtype=bool))
+    return Outcome()
 
 
 @part(
@@ -209,14 +230,8 @@ def judged_still(J: Array, xi: Array, k: int, value: Array) -> Outcome:
     check=judged_still,
     credit="all",
     mistakes=[
-        (
-            "One rate is set to zero and the others are left as they were; that changes the twist.",
-            lambda least, k: np.where(np.arange(1, 8) == k, 0.0, least),
-        ),
-        (
-            "The motion (d) is taken away in the wrong amount: joint k does not come to rest.",
-            lambda least, null, k: least - least[k - 1] * null,
-        ),
+        (SET_TO_ZERO, lambda least, k: np.where(np.arange(1, 8) == k, 0.0, least)),
+        (WRONG_AMOUNT, lambda least, null, k: least - least[k - 1] * null),
     ],
 )
 def still(least: Array, null: Array, k: int) -> Array:
@@ -249,12 +264,14 @@ def why() -> str:
     $\mathbf n = \mathbf 0$.
     """
     return (
-        "Two solutions differ by an n with J n = 0. It is perpendicular to the shortest one: (J+ xi)^T n = "
-        "xi^T (J J^T)^-1 J n = 0. By Pythagoras |J+ xi + n|^2 = |J+ xi|^2 + |n|^2, which is least for n = 0."
+        "Two solutions differ by an n with J n = 0. It is perpendicular to the shortest one: "
+        "(J+ xi)^T n = xi^T (J J^T)^-1 J n = 0. "
+        "By Pythagoras |J+ xi + n|^2 = |J+ xi|^2 + |n|^2, which is least for n = 0."
     )
 
 
 def drawings(arm: Arm) -> Drawing:
+    """The arm in the drawn posture."""
     return arm.drawing(
         "The arm in the posture that your J belongs to, with the base frame and the hand frame.",
         "Panda arm with seven revolute joints in the student's posture.",
