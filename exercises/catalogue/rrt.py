@@ -1,23 +1,20 @@
-"""S3 5.4.1: an RRT robot from its drawing: Denavit-Hartenberg table, transforms, Jacobian, singular postures.
+"""S3 5.4.1: an RRT robot from its drawing: table, transforms, Jacobian, singular postures.
 
 Structure and numbers are drawn: the sense of the axes, and which of the offsets a1, d2 and l3 the
 arm has. The drawing gives base frame, positive senses and home pose, and the sheet asks for joint
 variables without offsets, so that the table is unique.
 """
 
-from functools import lru_cache
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
 
 from ...solutions.expression import Expression, parse
 from ...solutions.expression_array import ExpressionArray
-from ...solutions.robot import Factor, Robot
-from ...solutions.robots import ROBOTS
 from ...solutions.table import Table
-from ..answers import Conditions, Formulas, Numbers, TableOf
+from ..answers import Conditions, Formulas, Numbers, TableOf, Variant
 from ..arm import Arm, Array, arm_of
+from ..arms.rrt import FORMS, LENGTHS, NAMES, drawings, reach, robot
 from ..calculations.columns import (
     LATE,
     OWN_LINK,
@@ -35,20 +32,12 @@ from ..calculations.own_formulas import (
     factors_of,
     jacobian_of_table,
 )
-from ..drawing import Drawing
 from ..draws import angles, length, until
 from ..part import exercise, part
 from ..properties import named_multiple
 
-LENGTHS = ("d1", "a1", "d2", "l3")
-NAMES = (*LENGTHS, "q1", "q2", "q3")
-OFFSETS = ((), ("a1",), ("d2",), ("l3",), ("a1", "d2"), ("a1", "l3"), ("d2", "l3"))
-FORMS = tuple((alpha1, offsets) for offsets in OFFSETS for alpha1 in ("-pi/2", "pi/2"))
-LIMITS = {
-    "q1": (-np.pi, np.pi),
-    "q2": (-np.pi, np.pi),
-    "q3": (-1.5, 1.5),
-}  # of the singular postures asked [rad, m]
+# Of the singular postures that are asked [rad, m].
+LIMITS = {"q1": (-np.pi, np.pi), "q2": (-np.pi, np.pi), "q3": (-1.5, 1.5)}
 
 STATEMENT = r"""The robot turns about the vertical axis 1 and the horizontal axis 2, and slides
 along axis 3 (RRT). The first figure shows it in its home pose, $q_1 = q_2 = 0$, with frame 0, the
@@ -66,55 +55,31 @@ HOME_POSE = (
 )
 ELEVATION = {"q2": parse("pi/2 - q2", ["q2"])}  # q2 measured from the horizontal
 ON_AXIS_1 = "on axis 1, which then cannot move it"
-BESIDE = "beside axis 1, off it by $d_2$ along axis 2: even so, joint 1 moves it only in the plane of joints 2 and 3"
+BESIDE = (
+    "beside axis 1, off it by $d_2$ along axis 2: even so, joint 1 moves it only in the plane of "
+    "joints 2 and 3"
+)
+SIDES = {"-pi/2": "left", "pi/2": "right"}  # of z_0, to which axis 2 points, by alpha_1
 
 
 def draw(rng: np.random.Generator) -> dict[str, Any]:
-    """An arm of one of 14 forms (which offsets, which sense of axis 2), away from its singular postures."""
+    """An arm of one of 14 forms, away from its singular postures."""
     form = int(rng.integers(len(FORMS)))
 
     def drawn() -> dict[str, Any]:
-        lengths = {"d1": length(rng)} | {name: length(rng, 0.2, 0.5) for name in FORMS[form][1]}
-        return {"form": form, **lengths, "q": [*angles(rng, 2), length(rng)]}
+        v: dict[str, Any] = {"form": form, "d1": length(rng)}
+        for name in FORMS[form][1]:
+            v[name] = length(rng, 0.2, 0.5)
+        v["q"] = [*angles(rng, 2), length(rng)]
+        return v
 
     return until(drawn, lambda v: reach(arm_of(robot(form), v)) > 0.2)
-
-
-def reach(arm: Arm) -> float:
-    """How far the hand is from axis 1, seen along axis 2 [m]."""
-    return float(abs(arm.p @ arm.frames[1, :3, 0]))
-
-
-@lru_cache
-def robot(form: int) -> Robot:
-    """The arm of one form, with every length 1 m by default."""
-    alpha1, offsets = FORMS[form]
-    alpha2, sense = ("pi/2", "+") if alpha1 == "-pi/2" else ("-pi/2", "-")
-    a1, d2 = (name if name in offsets else "0" for name in ("a1", "d2"))
-    way = "q3 + l3" if "l3" in offsets else "q3"
-    across = f"({way})*sin(q2) {sense} a1" if "a1" in offsets else "sin(q2)"
-    limits = ROBOTS["rrt_spherical"].limits
-    lengths = dict.fromkeys(("d1", *offsets), 1.0)
-    rows = (("q1", "d1", a1, alpha1), ("q2", d2, "0", alpha2), ("0", way, "0", "0"))
-    factors = (
-        Factor("hand on axis 2", way),
-        Factor("hand on axis 1, or beside it along axis 2", across),
-    )
-    return Robot(
-        "rrt",
-        "RRT robot",
-        lengths,
-        rows,
-        limits,
-        "S3 5.4.1; drawn for each student",
-        factors=factors,
-    )
 
 
 @part(
     3,
     TableOf(LENGTHS, "RRP"),
-    shows={"side": lambda form: "left" if FORMS[form][0] == "-pi/2" else "right"},
+    shows={"side": lambda form: SIDES[FORMS[form][0]]},
 )
 def dh(arm: Arm) -> Table:
     r"""The DH table: one row $[\theta_i, d_i, a_i, \alpha_i]$ per joint, as text in the names of
@@ -135,11 +100,20 @@ def dh(arm: Arm) -> Table:
     return arm.robot.table
 
 
+def with_base(T: Array) -> Array:
+    """The frames with frame 0 in front of them, (n + 1, 4, 4)."""
+    return np.insert(T, 0, np.eye(4), 0)
+
+
 @part(
     3,
     Numbers((3, 4, 4), [[["1", "1", "1", "m"]] * 3 + [["1"] * 4]], 3),
-    shows={f"T{i}": lambda arm, *, i=i: arm.closed.frames[i] for i in (1, 2, 3)},
-    mistakes=[(LINKS, lambda T: np.linalg.inv(np.insert(T, 0, np.eye(4), 0)[:3]) @ T)],
+    shows={
+        "T1": lambda arm: arm.closed.frames[1],
+        "T2": lambda arm: arm.closed.frames[2],
+        "T3": lambda arm: arm.closed.frames[3],
+    },
+    mistakes=[(LINKS, lambda T: np.linalg.inv(with_base(T)[:3]) @ T)],
 )
 def T(arm: Arm, dh: Table) -> Array:
     r"""The transforms from the fixed frame to each frame,
@@ -165,7 +139,7 @@ def T(arm: Arm, dh: Table) -> Array:
     4,
     Numbers((6, 3), [["m/rad", "m/rad", "1"]] * 3 + [["1"] * 3] * 3, 3),
     shows={"closed": lambda arm: arm.closed.J},
-    mistakes=[(LATE, lambda T, dh: late(np.insert(T, 0, np.eye(4), 0), dh.kinds))],
+    mistakes=[(LATE, lambda T, dh: late(with_base(T), dh.kinds))],
 )
 def J(T: Array, dh: Table) -> Array:
     r"""The 6 × 3 Jacobian $\mathbf J$ of the tool point in the base frame at your $\mathbf q$,
@@ -183,7 +157,7 @@ def J(T: Array, dh: Table) -> Array:
     With your numbers:
     $$\mathbf J = <J>$$
     """
-    return right(np.insert(T, 0, np.eye(4), 0), dh.kinds)
+    return right(with_base(T), dh.kinds)
 
 
 @part(
@@ -218,9 +192,20 @@ def J_symbolic(arm: Arm, dh: Table) -> ExpressionArray:
 
 def from_horizontal(arm: Arm) -> Expression:
     """The determinant where q2 is measured from the horizontal, which turns column 2 about, too."""
-    return parse("-det", ["det"]).put(
-        {"det": closed_determinant(arm.robot).entries[0].put(ELEVATION)}
-    )
+    det = closed_determinant(arm.robot).entries[0].put(ELEVATION)
+    return parse("-det", ["det"]).put({"det": det})
+
+
+def factors_from_horizontal(arm: Arm) -> list[Expression]:
+    """The factors of the determinant there."""
+    return [factor.put(ELEVATION) for factor in closed_factors(arm.robot)]
+
+
+def second_case(v: Variant) -> str:
+    """Where the hand lies in the second singular posture."""
+    if "d2" in v:
+        return BESIDE
+    return ON_AXIS_1
 
 
 @part(
@@ -249,10 +234,8 @@ def det(arm: Arm, J_symbolic: ExpressionArray) -> ExpressionArray:
     3,
     Conditions(NAMES, lambda _: LIMITS),
     follow=0.5,
-    shows={"second": lambda v: BESIDE if "d2" in v else ON_AXIS_1},
-    mistakes=[
-        (HOME_POSE, lambda arm: [factor.put(ELEVATION) for factor in closed_factors(arm.robot)])
-    ],
+    shows={"second": second_case},
+    mistakes=[(HOME_POSE, factors_from_horizontal)],
 )
 def singular(arm: Arm, det: ExpressionArray) -> tuple[Expression, ...]:
     r"""All postures in which the linear block $\mathbf J_v$ is singular: a list of conditions in
@@ -272,24 +255,6 @@ def singular(arm: Arm, det: ExpressionArray) -> tuple[Expression, ...]:
     <second>.
     """
     return factors_of(det, arm.robot)
-
-
-def drawings(arm: Arm) -> tuple[Drawing, Drawing]:
-    """The arm at home with all lengths and the stroke q3, one after the other, and at the student's q."""
-    alt = "RRT arm: a vertical revolute joint, a horizontal revolute joint, a slide."
-    at_home, at_q = (
-        "Home pose, q1 = q2 = 0, with the positive sense of each joint.",
-        "The same robot at your q.",
-    )
-    home = arm.at([0.0, 0.0, arm.q[2]])
-    base, shoulder, hand = (frame[:3, :3].T for frame in home.frames[:3])
-    ways = {"d1": base[2], "a1": shoulder[0], "d2": shoulder[2], "l3": hand[2], "q3": hand[2]}
-    sizes = {**arm.lengths, "q3": arm.q[2]}
-    corners = np.cumsum([np.zeros(3), *(size * ways[name] for name, size in sizes.items())], axis=0)
-    lines = dict(zip(sizes, pairwise(corners), strict=True))
-    return home.drawing(at_home, f"{alt} {at_home}", lengths=lines), arm.drawing(
-        at_q, f"{alt} {at_q}", tool=""
-    )
 
 
 EXERCISE = exercise(
