@@ -65,9 +65,8 @@ def level(form: int, arm: Arm) -> Arm:
 
 def in_degrees(form: int, arm: Arm) -> Arm:
     """The student's arm with its angles in degrees where radians are taken, as `DEGREES` says."""
-    is_revolute = np.array([kind == "R" for kind in arm.kinds])
-    q = np.where(is_revolute, np.degrees(arm.q), arm.q)
-    return replace(arm, robot=robot(form, right_angle="90"), q=q)
+    q = [np.degrees(x) if kind == "R" else x for x, kind in zip(arm.q, arm.kinds, strict=True)]
+    return replace(arm, robot=robot(form, right_angle="90"), q=np.array(q))
 
 
 def described(arm: Arm) -> str:

@@ -1,4 +1,4 @@
-"""Ready-made questions for any robot of the catalogue, a table or a URDF: `ask.jacobian()` in the list of parts.
+"""Ready-made questions for any robot, table or URDF: `ask.jacobian()` in the list of parts.
 
 Each brings its prompt, units, tolerance, hints, worked solution and known mistakes, and takes what
 stands before it on the sheet: a Jacobian is built from the student's transforms where these are
@@ -15,9 +15,10 @@ from .block import (
     singular,
 )
 from .frames import dh_table, pose, transforms
+from .jacobians import jacobian
 from .other_frames import to_base_origin, to_tool_axes
 from .statics import torques, wrench_in_base_axes
-from .velocities import jacobian, rates, twist
+from .velocities import rates, twist
 
 __all__ = [
     "determinant",

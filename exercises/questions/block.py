@@ -81,15 +81,20 @@ $$w = <@name@>$$
 """
 SLOWEST = "This is the direction in which the tool is slowest, and strongest."
 SQUARES = "These are the squares: eigenvalues of J J^T. The half axes are their roots."
-INVERSES = "These are the half axes of the force ellipsoid, the inverses; those of the velocity ellipsoid are asked."
+INVERSES = (
+    "These are the half axes of the force ellipsoid, the inverses; "
+    "those of the velocity ellipsoid are asked."
+)
 SQUARE = "This is det(J J^T), the square; the root is missing."
-
-
-DIRECTION = 0.01  # [rad]
+DIRECTION = 0.01  # how far an axis may be from the right one [rad]
 
 
 def determinant(*, name: str = "det", points: float = 2) -> Ready:
-    """The determinant of the robot's task rows as a formula; a multiple of it is named."""
+    """The determinant of the robot's task rows as a formula; a multiple of it is named.
+
+    Raises:
+        ExerciseError: on a sheet, where a length of the arm is not among the drawn numbers.
+    """
 
     def ready(setting: Setting) -> Question:
         robot = setting.robot
@@ -105,13 +110,13 @@ def determinant(*, name: str = "det", points: float = 2) -> Ready:
 
 def _check_names(setting: Setting, what: str) -> None:
     """Formulas are in names of the sheet: a length that is not drawn has none there."""
-    missing = sorted(
-        closed_determinant(setting.robot).names - {*setting.robot.joints, *setting.arm.lengths}
-    )
+    robot = setting.robot
+    on_sheet = {*robot.joints, *setting.arm.lengths}
+    missing = closed_determinant(robot).names - on_sheet
     if missing:
         raise ExerciseError(
-            f"{what} takes an arm whose lengths are drawn, since it asks for formulas in their names; "
-            f"{', '.join(missing)} of {setting.robot.name} should be among the drawn numbers"
+            f"{what} takes an arm whose lengths are drawn, since it asks for formulas in their "
+            f"names; {', '.join(sorted(missing))} of {robot.name} should be among the drawn numbers"
         )
 
 
@@ -120,7 +125,11 @@ def _determinant(arm: Arm) -> ExpressionArray:
 
 
 def manipulability_formula(*, name: str = "w", points: float = 2) -> Ready:
-    """The manipulability of the robot's task rows as a formula: the size of their determinant."""
+    """The manipulability of the robot's task rows as a formula: the size of their determinant.
+
+    Raises:
+        ExerciseError: on a sheet, where a length of the arm is not among the drawn numbers.
+    """
 
     def ready(setting: Setting) -> Question:
         robot = setting.robot
@@ -141,7 +150,11 @@ def _named(arm: Arm, value: ExpressionArray) -> Outcome | None:
 
 
 def singular(*, name: str = "singular", points: float = 3) -> Ready:
-    """All conditions under which the robot's task rows are singular, within its limits."""
+    """All conditions under which the robot's task rows are singular, within its limits.
+
+    Raises:
+        ExerciseError: on a sheet, where a length of the arm is not among the drawn numbers.
+    """
 
     def ready(setting: Setting) -> Question:
         robot = setting.robot
@@ -170,7 +183,9 @@ def limits_of(robot: Robot) -> dict[str, tuple[float, float]]:
     """
     ranges: dict[str, tuple[float, float]] = {}
     for joint, kind, (_, longest) in zip(robot.joints, robot.kinds, robot.limits, strict=True):
-        most = np.pi if kind == "R" else round(longest, 2)
+        most = np.pi
+        if kind == "P":
+            most = round(longest, 2)
         ranges[joint] = (-most, most)
     return ranges
 
@@ -180,7 +195,8 @@ def _said(limits: dict[str, tuple[float, float]], kinds: str) -> str:
     for (joint, (low, high)), kind in zip(limits.items(), kinds, strict=True):
         if kind == "P":
             said.append(
-                f"${joint[0]}_{joint[1:]}$ from −{-low:g} m to {high:g} m, the slide running through to the other side"
+                f"${joint[0]}_{joint[1:]}$ from −{-low:g} m to {high:g} m, "
+                "the slide running through to the other side"
             )
     return " and ".join(said)
 
@@ -193,7 +209,7 @@ def ellipsoid(
     decimals: int = 3,
     J: str = "J",
 ) -> Ready:
-    """Half axes (m,) of the velocity ellipsoid of the Jacobian `J` before it, which has these rows."""
+    """Half axes (m,) of the velocity ellipsoid of the Jacobian `J` before it, with these rows."""
 
     def ready(setting: Setting) -> Question:
         asked = rows_on_sheet(rows, setting.rows, setting.robot.task_rows)
@@ -228,9 +244,10 @@ def ellipsoid_axis(
     decimals: int = 4,
     J: str = "J",
 ) -> Ready:
-    """A direction (m,) of the longest half axis of the velocity ellipsoid, at any length and with either sign.
+    """A direction (m,) of the longest half axis of the velocity ellipsoid.
 
-    Draw postures whose two longest half axes differ clearly: on a circle every direction is one.
+    It is right at any length and with either sign. Draw postures whose two longest half axes differ
+    clearly: on a circle every direction is one.
     """
 
     def ready(setting: Setting) -> Question:
@@ -258,8 +275,9 @@ def _judged_axis(J: Array, value: Array) -> Outcome:
     axes = velocity_ellipsoid(J).axes
     if parallel(value, axes[:, 0], DIRECTION):
         return Outcome(right=True)
-    slowest = parallel(value, axes[:, -1], DIRECTION)
-    return Outcome(right=False, finding=SLOWEST if slowest else "")
+    if parallel(value, axes[:, -1], DIRECTION):
+        return Outcome(right=False, finding=SLOWEST)
+    return Outcome(right=False)
 
 
 def manipulability(

@@ -70,6 +70,9 @@ def dh_table(*, name: str = "dh", points: float = 3, decimals: int = 3) -> Ready
 
     The base frame, the tool frame and the home pose are drawn; that fixes the table of an arm whose
     neighbouring axes cross at right angles or lie apart.
+
+    Raises:
+        ExerciseError: on a sheet, where the arm has no Denavit-Hartenberg table.
     """
 
     def ready(setting: Setting) -> Question:
@@ -92,7 +95,10 @@ def _table_of(arm: Arm) -> Table:
 def pose(
     *, name: str = "T", points: float = 2, decimals: int = 4, mistakes: Sequence[Wrong] = ()
 ) -> Ready:
-    """The pose (4, 4) of the tool frame in the base frame; `mistakes` are known wrong ways beside its inverse."""
+    """The pose (4, 4) of the tool frame in the base frame.
+
+    `mistakes` are known wrong ways beside its inverse.
+    """
 
     def ready(setting: Setting) -> Question:
         text = filled(TOOL, row=ROW[setting.robot.convention], name=name)
@@ -114,30 +120,34 @@ def _tool(arm: Arm) -> Array:
 
 
 def transforms(*, name: str = "T", points: float = 3, decimals: int = 3) -> Ready:
-    """The poses of all frames behind the base, (n, 4, 4), with the tool behind them where it is another frame.
+    """The poses of all frames behind the base, (n, 4, 4).
 
-    They follow from the student's own table where one is asked before.
+    The tool comes behind them where it is another frame, (n + 1, 4, 4). They follow from the
+    student's own table where one is asked before.
     """
 
     def ready(setting: Setting) -> Question:
         robot = setting.robot
         count = len(poses(setting.arm))
+        tool = ""
+        if count > robot.n:
+            tool = " and of the tool frame"
         text = filled(
-            TRANSFORMS,
-            n=robot.n,
-            count=count,
-            tool=" and of the tool frame" if count > robot.n else "",
-            row=ROW[robot.convention],
-            name=name,
+            TRANSFORMS, n=robot.n, count=count, tool=tool, row=ROW[robot.convention], name=name
         )
-        own_table = "dh" in setting.earlier and not robot.tool
-        wrong = (NEXT, _next_of_table if own_table else _next)
+
+        solve, each_step = poses, _next
+        if "dh" in setting.earlier and not robot.tool:
+            solve, each_step = _of_table, _next_of_table
+        mistakes: list[Wrong] = []
+        if count > 1:
+            mistakes.append((NEXT, each_step))
         return Question(
-            _of_table if own_table else poses,
+            solve,
             name,
             points,
             Numbers((count, 4, 4), [POSE], decimals),
-            mistakes=(wrong,) if count > 1 else (),
+            mistakes=mistakes,
             shows={"closed": lambda arm: arm.closed.T},
             docstring=text,
         )
@@ -147,15 +157,19 @@ def transforms(*, name: str = "T", points: float = 3, decimals: int = 3) -> Read
 
 def poses(arm: Arm) -> Array:
     """Frames behind the base (k, 4, 4): all that the source prints, the tool once."""
-    frames = arm.frames[1:] if arm.robot.convention == "standard" else arm.frames
-    return frames[:-1] if _same(frames) else frames
+    frames = arm.frames
+    if arm.robot.convention == "standard":
+        frames = frames[1:]
+    if _same(frames):
+        return frames[:-1]
+    return frames
 
 
 def _of_table(arm: Arm, dh: Table) -> Array:
     frames = dh.frames(arm.robot.values(arm.lengths), arm.q)
-    return (
-        frames[1:] if dh.convention == "standard" else frames[:-1]
-    )  # a modified table has its tool at the end
+    if dh.convention == "standard":
+        return frames[1:]
+    return frames[:-1]  # a modified table has its tool at the end
 
 
 def _same(frames: Array) -> bool:
@@ -172,6 +186,6 @@ def _next_of_table(arm: Arm, dh: Table) -> Array:
 
 
 def steps(T: Any) -> Array:
-    """From each pose to the next, the first from the base."""
+    """From each pose (k, 4, 4) to the next, the first from the base."""
     before = np.concatenate([np.eye(4)[None], T[:-1]])
     return np.linalg.inv(before) @ T
