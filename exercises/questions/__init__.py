@@ -6,14 +6,8 @@ asked, torques from the student's J. `name` and `points` may be given; so may th
 takes, such as `ask.twist(J="J_tool", qdot="rates")`.
 """
 
-from .block import (
-    determinant,
-    ellipsoid,
-    ellipsoid_axis,
-    manipulability,
-    manipulability_formula,
-    singular,
-)
+from .block import determinant, manipulability_formula, singular
+from .ellipsoids import ellipsoid, ellipsoid_axis, manipulability
 from .frames import dh_table, pose, transforms
 from .jacobians import jacobian
 from .other_frames import to_base_origin, to_tool_axes
