@@ -10,11 +10,11 @@ from typing import Any
 import numpy as np
 
 from ...solutions.jacobian import jacobian
-from ...solutions.robots import ROBOTS
 from ...solutions.singularity import rank, sigma_min
 from ...solutions.velocity import pseudoinverse
 from ..answers import Choice, Manual, Numbers
-from ..arm import Arm, Array
+from ..arm import Array
+from ..arms.panda import PANDA, drawn, posture
 from ..calculations.lost import still_rates
 from ..calculations.readings import TRANSPOSED
 from ..calculations.redundant import (
@@ -24,12 +24,10 @@ from ..calculations.redundant import (
     judged_null,
     judged_pseudoinverse,
 )
-from ..drawing import Drawing
 from ..draws import until
 from ..exercise import Outcome
 from ..part import exercise, part
 
-ROBOT = ROBOTS["panda"]
 REGULAR = 0.1  # smallest singular value of J, of J without column k, and of K where K has full rank
 SEEN = 0.1  # rate of joint k [rad/s] that the last question is about
 SHARE = (0.3, 0.9)  # of joint k in the motion of length 1 that does not move the hand
@@ -76,7 +74,7 @@ def draw(rng: np.random.Generator) -> dict[str, Any]:
     """A posture, its J as printed, a twist, the joint k that is to stand still, and K."""
     while True:
         q = posture(rng)
-        J = np.round(jacobian(ROBOT.chain(), q), 4) + 0.0
+        J = np.round(jacobian(PANDA.chain(), q), 4) + 0.0
         shares = np.abs(still_rates(J))
         fitting = np.flatnonzero((shares >= SHARE[0]) & (shares <= SHARE[1])) + 1
         if not fitting.size or sigma_min(J) < REGULAR:
@@ -87,13 +85,6 @@ def draw(rng: np.random.Generator) -> dict[str, Any]:
         turns = abs((pseudoinverse(J) @ xi)[k - 1]) >= SEEN
         if turns and sigma_min(np.delete(J, k - 1, axis=1)) >= REGULAR:
             return {"J": J.tolist(), "xi": xi, "k": k, "q": q, "columns": columns_of_K(rng, J)}
-
-
-def posture(rng: np.random.Generator) -> list[float]:
-    """Joint angles (7,) [rad] away from the limits of the arm."""
-    low, high = np.array(ROBOT.limits).T
-    q = low + (high - low) * rng.uniform(0.15, 0.85, 7)
-    return [round(float(x), 3) for x in q]
 
 
 def drawn_twist(rng: np.random.Generator) -> list[float]:
@@ -270,16 +261,6 @@ def why() -> str:
     )
 
 
-def drawings(arm: Arm) -> Drawing:
-    """The arm in the drawn posture."""
-    return arm.drawing(
-        "The arm in the posture that your J belongs to, with the base frame and the hand frame.",
-        "Panda arm with seven revolute joints in the student's posture.",
-        tool="hand",
-        arrows=False,
-    )
-
-
 EXERCISE = exercise(
     "pseudoinverse",
     title="The pseudoinverse of a seven-joint arm",
@@ -289,7 +270,7 @@ EXERCISE = exercise(
         "Compute the pseudoinverse of a Jacobian and know on which side it is an inverse.",
         "Use the freedom of a redundant arm.",
     ),
-    robot=ROBOT,
+    robot=PANDA,
     sizes=(),
     units={"J": [["m/rad"] * 7] * 3 + [["1"] * 7] * 3, "xi": ["m/s"] * 3 + ["rad/s"] * 3, "k": "1"},
     symbols={"J": r"\mathbf J", "xi": r"\boldsymbol\xi"},
@@ -297,6 +278,6 @@ EXERCISE = exercise(
     scale=1.0,
     draw=draw,
     statement=statement,
-    drawings=drawings,
+    drawings=drawn,
     parts=(pinv, sides, least, null, still, why),
 )
