@@ -1,7 +1,8 @@
 """Arms of any structure as a function gets them: a table, the joint types and q, right and misread.
 
-`dh` (n, 4) is a standard table with rows theta, d, a, alpha [rad, m], to which q (n,) [rad, m] is added in theta or d;
-`kinds` are joint types, such as "RRP". A `TableFunction` returns J (6, n) of the last frame's origin in base axes.
+`dh` (n, 4) is a standard table with rows theta, d, a, alpha [rad, m], to which q (n,) [rad, m] is
+added in theta or d; `kinds` are joint types, such as "RRP". A `TableFunction` returns J (6, n) of
+the last frame's origin in base axes.
 """
 
 from collections.abc import Callable
@@ -19,10 +20,15 @@ TableFunction = Callable[[Any, str, Any], Array]
 
 
 def any_table(rng: np.random.Generator, kinds: str, *, planar: bool = False) -> list[Any]:
-    """A table with offsets, oblique axes (none in the plane) and links in both directions, and q: [dh, kinds, q]."""
+    """An arm as [dh, kinds, q], with offsets, oblique axes and links in both directions.
+
+    A `planar` arm has parallel axes.
+    """
     n = len(kinds)
     theta = rng.uniform(-3, 3, n)
-    alpha = rng.choice([-1, 1], n) * rng.uniform(0.4, 2.7, n) * (not planar)
+    alpha = rng.choice([-1, 1], n) * rng.uniform(0.4, 2.7, n)
+    if planar:
+        alpha = np.zeros(n)  # drawn all the same: what comes after stays as it was
     d = rng.choice([-1, 1], n) * rng.uniform(0.1, 0.8, n)
     a = rng.choice([-1, 1], n) * rng.uniform(0.1, 0.8, n)
     q = np.where(turning(kinds), rng.uniform(-2.5, 2.5, n), rng.uniform(0.2, 0.9, n))
@@ -42,8 +48,8 @@ def by_columns(way: Columns) -> TableFunction:
         rows = np.array(dh, dtype=float)
         rows[:, 0] += np.where(turning(kinds), q, 0.0)
         rows[:, 1] += np.where(turning(kinds), 0.0, q)
-        T = accumulate(standard_transform(rows), np.matmul, initial=np.eye(4))
-        return way(np.array([*T]), kinds)
+        frames = accumulate(standard_transform(rows), np.matmul, initial=np.eye(4))
+        return way(np.array([*frames]), kinds)
 
     return jacobian
 
@@ -68,11 +74,9 @@ def in_degrees(dh: Any, kinds: str, q: Any) -> Array:
     return by_columns(right)(rows, kinds, np.where(turning(kinds), np.radians(q), q))
 
 
+WRONG_COLUMNS = (*SLIPS, Slip(ANGULAR_FIRST, angular_first))
 MISREAD: tuple[tuple[str, TableFunction], ...] = (
-    *(
-        (slip.sentence, by_columns(slip.columns))
-        for slip in (*SLIPS, Slip(ANGULAR_FIRST, angular_first))
-    ),
+    *[(slip.sentence, by_columns(slip.columns)) for slip in WRONG_COLUMNS],
     ("The offsets in the table are lost: q is added to them.", without_offsets),
     ("The table is read in the modified convention; it is a standard one.", modified),
     ("The angles seem to be taken as degrees; they are radians.", in_degrees),

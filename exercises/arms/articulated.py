@@ -1,10 +1,11 @@
-"""The articulated arm of S1, Example 2.25, mounted in many ways, and its position as S1 prints and differentiates it.
+"""The articulated arm of S1, Example 2.25, mounted in many ways, and the position of its hand.
 
-The shoulder stands beside axis 1, and a structure that has one of S1's rows is left out.
+The position is printed and differentiated as in S1. The shoulder stands beside axis 1, and a
+structure that has one of S1's rows is left out.
 """
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import lru_cache
 from importlib import import_module
 from itertools import pairwise, product
@@ -32,7 +33,7 @@ MOUNTINGS = {
     "wall y": ("is fixed to a wall, with axis 1 along base y", (("Rz", "-pi/2"), ("Ry", "-pi/2"))),
 }
 OFFSETS = ("0", "pi/2", "-pi/2", "pi")
-# Offsets of joint 1 with which an arm that is stretched out at q2 = 0 has a row of S1's, or any offset.
+# Offsets of joint 1 with which an arm that is stretched out at q2 = 0 has one of S1's rows.
 AS_PRINTED = {
     ("floor", 1): OFFSETS,
     ("floor", -1): ("0",),
@@ -43,24 +44,36 @@ AS_PRINTED = {
     ("wall y", 1): ("pi/2",),
     ("wall y", -1): ("pi/2",),
 }
-STRUCTURES = tuple(
-    (mounting, first, second, sense)
-    for mounting, first, second, sense in product(MOUNTINGS, OFFSETS, OFFSETS[:3], (1, -1))
-    if second != "0" or first not in AS_PRINTED[mounting, sense]
-)  # mounting, offsets of joints 1 and 2, sense of joints 2 to 4
+TWIST_1 = {1: "pi/2", -1: "-pi/2"}  # alpha of row 1, by the sense of joints 2 to 4
+
+
+def structures() -> Iterator[tuple[str, str, str, int]]:
+    """Arms without a row of S1's: mounting, offsets of joints 1 and 2, sense of joints 2 to 4."""
+    for mounting, first, second, sense in product(MOUNTINGS, OFFSETS, OFFSETS[:3], (1, -1)):
+        if second != "0" or first not in AS_PRINTED[mounting, sense]:
+            yield mounting, first, second, sense
+
+
+STRUCTURES = tuple(structures())
 
 
 @lru_cache(maxsize=128)
 def robot(structure: int) -> Robot:
+    """The arm of one structure, with every length 1 m by default."""
     mounting, first, second, sense = STRUCTURES[structure]
     rows: Any = (
-        (f"q1 + {first}", "d1", "a1", "pi/2" if sense > 0 else "-pi/2"),
+        (f"q1 + {first}", "d1", "a1", TWIST_1[sense]),
         (f"q2 + {second}", "0", "a2", "0"),
         *S1.rows[2:],
     )
-    base = MOUNTINGS[mounting][1]
     return Robot(
-        "arm", "Articulated arm", dict.fromkeys(LENGTHS, 1.0), rows, S1.limits, S1.source, base=base
+        name="arm",
+        title="Articulated arm",
+        parameters=dict.fromkeys(LENGTHS, 1.0),
+        rows=rows,
+        limits=S1.limits,
+        source=S1.source,
+        base=MOUNTINGS[mounting][1],
     )
 
 
@@ -68,13 +81,14 @@ def posture(rng: np.random.Generator, structure: int) -> dict[str, Any]:
     """Lengths and q with which every one of the first four joints moves the hand."""
 
     def drawn() -> dict[str, Any]:
-        v: dict[str, Any] = {
+        return {
             "d1": length(rng),
             "a1": length(rng, 0.2, 0.5),
             "a2": length(rng),
             "a3": length(rng),
+            "a4": length(rng, 0.2, 0.6),
+            "q": angles(rng, 6, [(1, 2), (1, 2, 3)]),
         }
-        return v | {"a4": length(rng, 0.2, 0.6), "q": angles(rng, 6, [(1, 2), (1, 2, 3)])}
 
     def every_joint_moves_it(v: dict[str, Any]) -> bool:
         J = right(arm_of(robot(structure), v).frames, "RRRRRR")
@@ -91,13 +105,15 @@ def mounted(structure: int) -> str:
 def described(arm: Arm, structure: int) -> str:
     """What a sheet says of the arm and of the position of its hand, with the letters explained."""
     position: Any = arm.closed.T[:3, 3]
-    p = r" \\ ".join(map(in_letters, position))
-    return rf"""The arm has six revolute joints and {mounted(structure)}. $\mathbf p$ is the point in which axes 5 and 6 cross, the
-origin of frame 6. In base axes it is
+    coordinates = r" \\ ".join(map(in_letters, position))
+    p = rf"\begin{{bmatrix}} {coordinates} \end{{bmatrix}}"
+    return rf"""The arm has six revolute joints and {mounted(structure)}. $\mathbf p$ is the point
+in which axes 5 and 6 cross, the origin of frame 6. In base axes it is
 
-$$\mathbf p = \begin{{bmatrix}} p_x \\ p_y \\ p_z \end{{bmatrix}} = \begin{{bmatrix}} {p} \end{{bmatrix}}$$
+$$\mathbf p = \begin{{bmatrix}} p_x \\ p_y \\ p_z \end{{bmatrix}} = {p}$$
 
-with $C_1 = \cos q_1$, $S_2 = \sin q_2$, $C_{{23}} = \cos(q_2 + q_3)$, $S_{{234}} = \sin(q_2 + q_3 + q_4)$ and so on."""
+with $C_1 = \cos q_1$, $S_2 = \sin q_2$, $C_{{23}} = \cos(q_2 + q_3)$,
+$S_{{234}} = \sin(q_2 + q_3 + q_4)$ and so on."""
 
 
 def in_letters(p: Any) -> str:
@@ -110,24 +126,32 @@ def in_letters(p: Any) -> str:
 
 
 def factored(formula: Any) -> Any:
+    """A sympy formula as a product."""
     return import_module("sympy").factor(formula)
 
 
 def letter(name: str, angle: str) -> str:
+    """C_{23} for c and q2 + q3; one digit alone takes no braces where it is 1."""
     index = re.sub(r"\D", "", angle)
-    return f"{name.upper()}_1" if index == "1" else f"{name.upper()}_{{{index}}}"
+    if index == "1":
+        return f"{name.upper()}_1"
+    return f"{name.upper()}_{{{index}}}"
 
 
 def drawn(arm: Arm) -> Drawing:
     """The arm on its mounting at the student's q, with its lengths and the point p."""
     axis = arm.axes[:, 0]
     path = [np.zeros(3), arm.lengths["d1"] * axis, *arm.origins.T[1:4], arm.p]
+    azimuth = -55.0
+    if axis[1] > 0.5:  # a wall is seen from its front
+        azimuth = 35.0
     return arm.drawing(
         "Your arm at your q, with frame 0 at its base and frame 6 in p, where axes 5 and 6 cross.",
-        "Arm with six revolute joints at your q: axes 2, 3 and 4 are parallel, axes 5 and 6 cross in p, behind link a4.",
+        "Arm with six revolute joints at your q: axes 2, 3 and 4 are parallel, axes 5 and 6 cross "
+        "in p, behind link a4.",
         tool="6",
         lengths=dict(zip(LENGTHS, pairwise(path), strict=True)),
-        view=(35.0 if axis[1] > 0.5 else -55.0, 22.0),  # a wall is seen from its front
+        view=(azimuth, 22.0),
         stands=axis,
     )
 
@@ -157,13 +181,19 @@ def two_links_only(form: Any, i: int) -> list[Any]:
 
 
 def signs_forgotten(form: Any, i: int) -> list[Any]:
-    """No minus in the derivative of a cosine; in a coordinate without cosines, one in that of a sine."""
+    """No minus in the derivative of a cosine; without cosines, one in that of a sine."""
     cos: Any = import_module("sympy").cos
-    p, q = form.T[i, 3], form.joints
-    wrong = [p.has(cos(q[0])), *[p.has(cos(q[1]))] * 3, False, False] if p.has(cos) else [True] * 6
-    return [
-        -entry if is_wrong else entry for entry, is_wrong in zip(form.J[i, :], wrong, strict=True)
-    ]
+    p = form.T[i, 3]
+    q1, q2, *_ = form.joints
+    first, *links, fifth, sixth = form.J[i, :]
+
+    if not p.has(cos):
+        return [-entry for entry in form.J[i, :]]
+    if p.has(cos(q1)):
+        first = -first
+    if p.has(cos(q2)):
+        links = [-entry for entry in links]
+    return [first, *links, fifth, sixth]
 
 
 def wrist_counted(form: Any, i: int) -> list[Any]:

@@ -24,7 +24,10 @@ RIGHT_ANGLES = {"pi/2": "90", "-pi/2": "-90", "0": "0"}
 IN_DEGREES = replace(
     ROBOT, rows=[(theta, d, a, RIGHT_ANGLES[alpha]) for theta, d, a, alpha in table_rows(ROBOT)]
 )
-CONVENTION = "The table seems to be read in the modified convention; look again at the order of the motions of a row."
+CONVENTION = (
+    "The table seems to be read in the modified convention; "
+    "look again at the order of the motions of a row."
+)
 
 
 def modified(arm: Arm) -> Array:
@@ -34,11 +37,14 @@ def modified(arm: Arm) -> Array:
 
 
 def in_degrees(arm: Arm) -> Array:
-    """Transforms (7, 4, 4) to the last frame with every angle in degrees in functions that take radians."""
+    """Transforms (7, 4, 4) to the last frame, as `DEGREES` says."""
     return to_last(arm_in_degrees(arm, IN_DEGREES))
 
 
 def drawn(arm: Arm) -> Drawing:
     """The arm at the student's q."""
-    alt = "Articulated arm with six revolute joints, drawn at your q with its base frame and its hand frame."
+    alt = (
+        "Articulated arm with six revolute joints, drawn at your q with its base frame and its "
+        "hand frame."
+    )
     return arm.drawing("Your arm at your q, with frame 0 and frame 6.", alt, tool="6", arrows=False)

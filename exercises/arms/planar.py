@@ -1,13 +1,11 @@
 """The planar arm of S2 in all its forms, with those for which it may be mistaken.
 
-A form is the sense of each joint, +1 counter-clockwise, seen against z of frame 0, and the angle from link 1 to link 2
-where q2 = 0 [quarter turns]. A sheet draws one of the first nine; the others are only misread.
+Forms are those of planar_formulas.py. A sheet draws one of the first nine; the others are only
+misread.
 """
 
 from collections.abc import Callable
-from dataclasses import replace
 from functools import lru_cache
-from itertools import product
 from typing import Any
 
 import numpy as np
@@ -17,29 +15,35 @@ from ...solutions.robot import Robot
 from ..answers import Variant
 from ..arm import Arm, Array, arm_of
 from ..calculations.columns import columns
-from ..contract.printed_table import cell_latex
+from ..contract.question import Wrong
 from ..drawing import Drawing
 from ..draws import CLEARANCE, angles, length, until
 from ..exercise import Outcome
+from .planar_formulas import (  # noqa: F401 - all of them are known from here
+    ANGLES,
+    FORMS,
+    NAMES,
+    SOURCE,
+    angle_formulas,
+    bend_formula,
+    pose,
+    pose_formulas,
+    slopes,
+)
 
-NAMES = ("l1", "l2", "beta", "q1", "q2")
 DRAWN = 9
 BENT = 0.3  # smallest |sin| of q2 and of the angle between the links
-FORMS = tuple(
-    (*senses, quarter)
-    for senses, quarter in product(((1, -1), (-1, 1), (-1, -1), (1, 1)), (0, 1, -1))
-)
-SIGN = {1: "+", -1: "-"}
+FLIP = {1: ("Rx", "0"), -1: ("Rx", "pi")}  # of z of a joint, by its sense
 UP = np.array([0.0, 0.0, 1.0])
 NEAR = 2e-3  # how far rounded numbers may be from a known mistake that is followed or paid less
 OMEGA = 0.2  # share of the points that a wrong angular entry costs where the linear rows are right
-QUARTER = {0: "", 1: " + pi/2", -1: " - pi/2"}
+VIEW = (-75.0, 52.0)  # azimuth and elevation: from above, across both links
 
 
 def draw(rng: np.random.Generator) -> dict[str, Any]:
     """An arm of one of nine forms, bent, with no link near an axis of frame 0."""
     form = int(rng.integers(DRAWN))
-    l1, l2 = until(lambda: (length(rng), length(rng)), lambda pair: abs(pair[0] - pair[1]) > 0.05)
+    l1, l2 = until(lambda: (length(rng), length(rng)), are_different)
 
     def posture() -> dict[str, Any]:
         beta, *q = angles(rng, 3)
@@ -48,66 +52,40 @@ def draw(rng: np.random.Generator) -> dict[str, Any]:
     return until(posture, is_clear)
 
 
+def are_different(lengths: tuple[float, float]) -> bool:
+    """Whether one link cannot be taken for the other."""
+    return abs(lengths[0] - lengths[1]) > 0.05
+
+
 def is_clear(v: Variant) -> bool:
+    """Whether the arm is bent, and no angle of a link near a right one."""
     first, second = link_angles(v)
     bends = np.sin([v["q"][1], second - first])
     past = np.degrees([first, second, sum(v["q"])]) % 90
-    return bool((np.abs(bends) > BENT).all() and (np.abs(past - 45) <= 45 - CLEARANCE).all())
+    is_bent = (np.abs(bends) > BENT).all()
+    is_oblique = (np.abs(past - 45) <= 45 - CLEARANCE).all()
+    return bool(is_bent and is_oblique)
 
 
 @lru_cache
 def robot(form: int) -> Robot:
     """The arm, with z of each joint in its positive sense."""
     one, two, quarter = FORMS[form]
-    flip1, flip2 = (("Rx", "0" if sense > 0 else "pi") for sense in (one, two))
-    rows = (
-        (flip1, ("Rz", "q1")),
-        (flip1, ("Tx", "l1"), ("Rz", f"{quarter}*pi/2"), flip2, ("Rz", "q2")),
+    flip1, flip2 = FLIP[one], FLIP[two]
+    return Robot(
+        name="planar_2r",
+        title="Planar arm",
+        parameters={"l1": 1.0, "l2": 0.7, "beta": 0.0},
+        rows=(
+            (flip1, ("Rz", "q1")),
+            (flip1, ("Tx", "l1"), ("Rz", f"{quarter}*pi/2"), flip2, ("Rz", "q2")),
+        ),
+        limits=((-np.pi, np.pi), (-np.pi, np.pi)),
+        source="S2",
+        convention="frames",
+        base=(("Rz", "beta"),),
+        tool=(flip2, ("Tx", "l2")),
     )
-    lengths, limits = {"l1": 1.0, "l2": 0.7, "beta": 0.0}, ((-np.pi, np.pi),) * 2
-    base, tool = (("Rz", "beta"),), (flip2, ("Tx", "l2"))
-    return Robot("planar_2r", "Planar arm", lengths, rows, limits, "S2", "frames", base, tool)
-
-
-def angle_formulas(form: int, mounting: str = "beta") -> tuple[str, str]:
-    """Angles of both links from x of frame 0."""
-    one, two, quarter = FORMS[form]
-    first = f"{mounting} {SIGN[one]} q1"
-    return first, f"{first} {SIGN[two]} q2{QUARTER[quarter]}"
-
-
-def bend_formula(form: int) -> str:
-    """What link 2 turns from link 1, with its sign in front, such as -q2 + pi/2."""
-    first, second = angle_formulas(form)
-    return second.removeprefix(first).replace(" ", "", 2)
-
-
-def pose(form: int, mounting: str = "beta") -> list[str]:
-    return pose_formulas(*angle_formulas(form, mounting))
-
-
-def pose_formulas(first: str, second: str) -> list[str]:
-    """x, y, theta of frame 2 for the angles of both links."""
-    return [f"l1*cos({first}) + l2*cos({second})", f"l1*sin({first}) + l2*sin({second})", second]
-
-
-SOURCE = pose_formulas("q1", "q1 + q2")
-ANGLES: dict[str, Callable[[int], str]] = {
-    "angle1": lambda form: cell_latex(angle_formulas(form)[0]),
-    "angle2": lambda form: cell_latex(angle_formulas(form)[1]),
-    "bend": lambda form: cell_latex(bend_formula(form).strip("+")),
-}  # of both links and between them, in LaTeX
-
-
-def slopes(form: int, inner: tuple[int, ...] = (), minus: int = -1) -> list[list[str]]:
-    """The 3 x 2 Jacobian of the pose, with other inner derivatives of the angles or another derivative of a cosine."""
-    x, y, second = pose(form)
-    one, two = inner or FORMS[form][:2]
-    return [
-        [f"{minus * one}*({y})", f"{minus * two}*l2*sin({second})"],
-        [f"{one}*({x})", f"{two}*l2*cos({second})"],
-        [str(one), str(two)],
-    ]
 
 
 def link_angles(v: Variant) -> Array:
@@ -129,6 +107,7 @@ def transforms(v: Variant) -> Array:
 
 
 def wrong_order(v: Variant) -> Array:
+    """The same with the factors of the second exchanged."""
     elbow, hand = links(v)
     return np.array([elbow, hand @ elbow])
 
@@ -137,6 +116,12 @@ def levers(T: Array) -> Array:
     """From each joint to the tool point, (2, 3)."""
     elbow, tip = T[:, :3, 3]
     return np.array([tip, tip - elbow])
+
+
+def levers_to_elbow(T: Array) -> Array:
+    """The same, but that of joint 1 ends at joint 2."""
+    elbow, tip = T[:, :3, 3]
+    return np.array([elbow, tip - elbow])
 
 
 def jacobian(v: Variant) -> Array:
@@ -148,7 +133,10 @@ def jacobian(v: Variant) -> Array:
 ALONE = "Link 2 seems to be at the angle of joint 2 alone; joint 1 turns it too."
 EXCHANGED = "Sine and cosine are exchanged: which of them belongs to x?"
 MINUS = "The derivative of the cosine is the sine with a minus sign; look again at the row of x."
-CHAIN_RULE = "A factor of the chain rule seems to be missing: the derivative of each angle with respect to q1 or q2."
+CHAIN_RULE = (
+    "A factor of the chain rule seems to be missing: "
+    "the derivative of each angle with respect to q1 or q2."
+)
 LINK_2 = "A term of column 1 is missing: joint 1 moves link 2 as well."
 FROM_1 = "The second transform seems to start at frame 1; both shall start at frame 0."
 ORDER = "The two transforms seem to be multiplied in the wrong order."
@@ -169,48 +157,66 @@ SENSE_2 = (
 )
 AT_ZERO = "Look again at how link 2 stands to link 1 where q2 = 0."
 PRINTED = (
-    "This looks like an arm whose joints both count counter-clockwise and whose links are in line at q2 = 0; "
-    "look again at the positive senses and at where q2 is zero."
+    "This looks like an arm whose joints both count counter-clockwise and whose links are in line "
+    "at q2 = 0; look again at the positive senses and at where q2 is zero."
 )
+OTHER_QUARTERS = {0: (1, -1), 1: (0, -1), -1: (0, 1)}  # how else link 2 may stand where q2 = 0
 READINGS: tuple[tuple[str, Callable[[int, int, int], tuple[int, int, int]]], ...] = (
     (SENSE, lambda _, __, quarter: (1, 1, quarter)),
     (SENSE_1, lambda one, two, quarter: (-one, two, quarter)),
     (SENSE_2, lambda one, two, quarter: (one, -two, quarter)),
-    (AT_ZERO, lambda one, two, quarter: (one, two, 0 if quarter else 1)),
-    (AT_ZERO, lambda one, two, quarter: (one, two, -quarter or -1)),
+    (AT_ZERO, lambda one, two, quarter: (one, two, OTHER_QUARTERS[quarter][0])),
+    (AT_ZERO, lambda one, two, quarter: (one, two, OTHER_QUARTERS[quarter][1])),
     (PRINTED, lambda _, __, ___: (1, 1, 0)),
 )  # of the arm by somebody who overlooks what makes it another than the source's
 
 
-def misread(solve: Callable[[Variant], Any]) -> list[tuple[str, Callable[[Variant], Any]]]:
+def misread(solve: Callable[[Variant], Any]) -> list[Wrong]:
     """The readings as mistakes of a part that `solve` answers for an arm of any form."""
-    return [
-        (sentence, lambda v, *, i=i: solve(misreadings(v)[i]))
-        for i, (sentence, _) in enumerate(READINGS)
-    ]
+    found: list[Wrong] = []
+    for i, (sentence, _) in enumerate(READINGS):
+        found.append((sentence, lambda v, *, i=i: solve(misreadings(v)[i])))
+    return found
 
 
 def misreadings(v: Variant) -> list[Variant]:
     """The student's numbers with the form of each reading."""
-    return [{**v, "form": FORMS.index(read(*FORMS[v["form"]]))} for _, read in READINGS]
+    form = FORMS[v["form"]]
+    return [{**v, "form": FORMS.index(read(*form))} for _, read in READINGS]
+
+
+def judged_transforms(value: Array, v: Variant) -> Outcome:
+    """A product in the wrong order, whose rotation is right by chance, earns nothing for it."""
+    if is_near(value, wrong_order(v)):
+        return Outcome(share=0.5)
+    return Outcome()
 
 
 def less_omega(right: Array) -> Outcome:
-    """Angular entries alone are a sign each: wrong ones cost a share, but not the linear rows above them."""
+    """Wrong angular entries, a sign each, cost a share, but not the linear rows above them.
+
+    `right` (3, 2) says which entries of the rows x, y, theta are right.
+    """
     wrong = int((~right[2]).sum())
-    return Outcome(share=1 - OMEGA * wrong if right[:2].all() and wrong else None)
+    if wrong and right[:2].all():
+        return Outcome(share=1 - OMEGA * wrong)
+    return Outcome()
 
 
 def same_reading(value: Array, v: Variant, T: Array, J: Array) -> Outcome:
-    """A misread arm is followed from its transforms on, and linear rows under wrong angular ones are paid."""
+    """A misread arm is followed from its transforms on; linear rows over wrong angles are paid."""
     for other in misreadings(v):
-        if (
-            np.abs(T - transforms(other)).max() <= NEAR
-            and np.abs(value - jacobian(other)).max() <= NEAR
-        ):
+        if is_near(T, transforms(other)) and is_near(value, jacobian(other)):
             return Outcome(right=np.ones((6, 2), dtype=bool))
     right = np.abs(value - J) <= NEAR
-    return less_omega(right[[0, 1, 5]]) if right[2:5].all() else Outcome()
+    if not right[2:5].all():
+        return Outcome()
+    return less_omega(right[[0, 1, 5]])
+
+
+def is_near(value: Array, other: Array) -> bool:
+    """Whether rounded numbers may be these."""
+    return bool(np.abs(value - other).max() <= NEAR)
 
 
 def described(form: int) -> str:
@@ -219,18 +225,24 @@ def described(form: int) -> str:
     way = {1: "counter-clockwise", -1: "clockwise"}
     at_zero = "link 2 points the way link 1 points"
     if quarter:
-        at_zero = f"link 2 stands at a right angle to link 1, 90° {way[quarter]} from the way link 1 points"
-    return rf"""Two links of lengths $l_1$ and $l_2$ move in the plane of $\mathbf x_0$ and $\mathbf y_0$. Frame 0 is fixed, its origin is on the
-axis of joint 1, and $\mathbf z_0$ points towards you. All turns are named as you see them from there.
+        at_zero = (
+            f"link 2 stands at a right angle to link 1, 90° {way[quarter]} "
+            "from the way link 1 points"
+        )
+    return rf"""Two links of lengths $l_1$ and $l_2$ move in the plane of $\mathbf x_0$ and
+$\mathbf y_0$. Frame 0 is fixed, its origin is on the axis of joint 1, and $\mathbf z_0$ points
+towards you. All turns are named as you see them from there.
 
-- The arm is mounted at an angle: where $q_1 = 0$, link 1 points in the direction that $\mathbf x_0$ takes when it is turned by
-  $\beta$ counter-clockwise (clockwise if $\beta$ is negative).
+- The arm is mounted at an angle: where $q_1 = 0$, link 1 points in the direction that $\mathbf x_0$
+  takes when it is turned by $\beta$ counter-clockwise (clockwise if $\beta$ is negative).
 - Positive $q_1$ turns link 1 **{way[one]}**.
 - Positive $q_2$ turns link 2 **{way[two]}** against link 1; where $q_2 = 0$, {at_zero}.
 
-Frame 1 has its origin on the axis of joint 2, frame 2 at the tool point at the end of link 2. $\mathbf x_1$ points along link 1 and
-$\mathbf x_2$ along link 2, away from the base; $\mathbf z_1$ and $\mathbf z_2$ are parallel to $\mathbf z_0$. $x$ and $y$ are the
-coordinates of the tool point in frame 0, and $\theta$ is the angle from $\mathbf x_0$ to $\mathbf x_2$, counter-clockwise positive."""
+Frame 1 has its origin on the axis of joint 2, frame 2 at the tool point at the end of link 2.
+$\mathbf x_1$ points along link 1 and $\mathbf x_2$ along link 2, away from the base; $\mathbf z_1$
+and $\mathbf z_2$ are parallel to $\mathbf z_0$. $x$ and $y$ are the coordinates of the tool point
+in frame 0, and $\theta$ is the angle from $\mathbf x_0$ to $\mathbf x_2$, counter-clockwise
+positive."""
 
 
 def drawn(arm: Arm) -> list[Drawing]:
@@ -242,9 +254,8 @@ def drawn(arm: Arm) -> list[Drawing]:
         "Home pose, q1 = q2 = 0, mounted at the angle beta, with the positive sense of each joint."
     )
     alt = "Planar arm with two links and two revolute joints, seen from obliquely above. "
-    postures = [(home, said, lines), (arm, "The same arm at your q.", None)]
-    found = [
-        one.drawing(caption, alt + caption, tool="", lengths=ends)
-        for one, caption, ends in postures
+    now = "The same arm at your q."
+    return [
+        home.drawing(said, alt + said, tool="", lengths=lines, view=VIEW),
+        arm.drawing(now, alt + now, tool="", view=VIEW),
     ]
-    return [replace(drawing, view=(-75.0, 52.0)) for drawing in found]

@@ -11,7 +11,8 @@ from ..draws import angles, until
 
 PUMA = ROBOTS["puma560"]
 REACH = PUMA.parameters["a2"] + PUMA.parameters["d4"]  # [m]
-TABLE = f"""The Puma 560 has six revolute joints. Its table in the **standard** Denavit–Hartenberg convention (metres):
+TABLE = f"""The Puma 560 has six revolute joints. Its table in the **standard** Denavit–Hartenberg
+convention (metres):
 
 {printed_table(table_rows(PUMA, PUMA.parameters))}"""
 
@@ -25,24 +26,38 @@ def drawn(arm: Arm) -> Drawing:
     )
 
 
-REGULAR = 0.1  # smallest singular value of J in a drawn posture: rates stay moderate and rounding harmless
+REGULAR = 0.1  # smallest singular value of J in a posture: rates stay moderate, rounding harmless
 NEAR = (0.02, 0.06)  # the same where the wrist is nearly straight
 LARGE = 3.0  # the largest rate there is at least [rad/s]
 CLEAR = 0.1  # of the elbow from the straight line between shoulder and wrist centre [m]
 NEAR_SINGULAR = "near wrist-singular"
 FAMILIES = {
     "generic": "",
-    "elbow up": "In your posture the elbow lies above the straight line from the shoulder to the wrist centre.",
-    "elbow down": "In your posture the elbow lies below the straight line from the shoulder to the wrist centre.",
-    NEAR_SINGULAR: "Your posture is close to a wrist singularity, $q_5 = 0$: in (c) large joint rates are right.",
+    "elbow up": (
+        "In your posture the elbow lies above the straight line from the shoulder to the wrist "
+        "centre."
+    ),
+    "elbow down": (
+        "In your posture the elbow lies below the straight line from the shoulder to the wrist "
+        "centre."
+    ),
+    NEAR_SINGULAR: (
+        "Your posture is close to a wrist singularity, $q_5 = 0$: "
+        "in (c) large joint rates are right."
+    ),
 }
 
 
 def posture(rng: np.random.Generator, family: str, speed: float) -> list[float]:
-    """A posture of a family; near the wrist's singular one, a speed [m/s] along base x takes large rates."""
-    return until(
-        lambda: _drawn(rng, family), lambda q: _belongs(arm_of(PUMA, {"q": q}), family, speed)
-    )
+    """A posture q (6,) of a family.
+
+    Near the wrist's singular one, a speed [m/s] along base x takes large rates.
+    """
+
+    def belongs(q: list[float]) -> bool:
+        return _belongs(arm_of(PUMA, {"q": q}), family, speed)
+
+    return until(lambda: _drawn(rng, family), belongs)
 
 
 def _drawn(rng: np.random.Generator, family: str) -> list[float]:
@@ -53,21 +68,35 @@ def _drawn(rng: np.random.Generator, family: str) -> list[float]:
 
 
 def _belongs(arm: Arm, family: str, speed: float) -> bool:
-    """Whether the posture is regular, but for the wrist of the last family, and its elbow where the family says."""
-    smallest = sigma_min(arm.J)
     if family == NEAR_SINGULAR:
-        largest = np.abs(np.linalg.solve(arm.J, speed * np.eye(6)[0])).max()
-        is_near = NEAR[0] <= smallest <= NEAR[1]
-        return bool(sigma_min(arm.J[:3, :3]) >= REGULAR and is_near and largest >= LARGE)
-    height = elbow_height(arm)
-    is_there = {"elbow up": height >= CLEAR, "elbow down": height <= -CLEAR}.get(family, True)
-    return bool(smallest >= REGULAR and is_there)
+        return _is_near_singular(arm, speed)
+    if sigma_min(arm.J) < REGULAR:
+        return False
+    if family == "elbow up":
+        return elbow_height(arm) >= CLEAR
+    if family == "elbow down":
+        return elbow_height(arm) <= -CLEAR
+    return True
+
+
+def _is_near_singular(arm: Arm, speed: float) -> bool:
+    """Whether the wrist is nearly straight, and the arm block regular."""
+    largest_rate = np.abs(np.linalg.solve(arm.J, speed * np.eye(6)[0])).max()
+    is_near = NEAR[0] <= sigma_min(arm.J) <= NEAR[1]
+    is_regular = sigma_min(arm.J[:3, :3]) >= REGULAR
+    return bool(is_regular and is_near and largest_rate >= LARGE)
 
 
 def elbow_height(arm: Arm) -> float:
-    """How far the elbow lies above the line from shoulder to wrist centre [m], in the plane normal to axis 2."""
+    """How far the elbow lies above the line from shoulder to wrist centre [m].
+
+    Measured in the plane normal to axis 2, since the links lie beside each other along it.
+    """
     shoulder, elbow, wrist = arm.frames[[1, 2, 4], :3, 3]
     axis = arm.axes[:, 1]
-    across = np.eye(3) - np.outer(axis, axis)
-    link, line = across @ (elbow - shoulder), across @ (wrist - shoulder)
-    return float((link - line * (link @ line) / (line @ line))[2])
+    onto_plane = np.eye(3) - np.outer(axis, axis)
+
+    link = onto_plane @ (elbow - shoulder)
+    line = onto_plane @ (wrist - shoulder)
+    off_the_line = link - line * (link @ line) / (line @ line)
+    return float(off_the_line[2])

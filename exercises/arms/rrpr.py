@@ -1,4 +1,4 @@
-"""An arm with two revolute joints, a slide and another revolute joint, whose axes point in drawn senses."""
+"""An arm of joints RRPR whose axes point in drawn senses, and as its table is misread."""
 
 from dataclasses import replace
 from functools import lru_cache
@@ -38,9 +38,12 @@ LEVEL = "Row 3 of the table: joint 3 slides, but its theta is a right angle and 
 def robot(form: int, *, right_angle: str = "pi/2", level: bool = False) -> Robot:
     """The arm with the senses of `SENSES[form]`, with every length 1 m by default.
 
-    It is misread with another `right_angle`, and when it is `level`: with zero for the one in theta of row 3.
+    It is misread with another `right_angle`, and when it is `level`: with zero for the one in theta
+    of row 3.
     """
     alpha1, alpha2, theta3, alpha3 = (sense + right_angle for sense in SENSES[form])
+    if level:
+        theta3 = "0"
     return Robot(
         name="rrpr",
         title="RRPR robot",
@@ -48,7 +51,7 @@ def robot(form: int, *, right_angle: str = "pi/2", level: bool = False) -> Robot
         rows=(
             ("q1", "d1", "0", alpha1),
             ("q2", "0", "a2", alpha2),
-            ("0" if level else theta3, "q3", "0", alpha3),
+            (theta3, "q3", "0", alpha3),
             ("q4", "0", "a4", "0"),
         ),
         limits=((-np.pi, np.pi), (-np.pi, np.pi), (0.0, 1.0), (-np.pi, np.pi)),
@@ -76,15 +79,16 @@ def level(form: int, arm: Arm) -> Arm:
 
 
 def in_degrees(form: int, arm: Arm) -> Arm:
-    """The student's arm with every angle in degrees in functions that take radians, as `DEGREES` says."""
+    """The student's arm with its angles in degrees where radians are taken, as `DEGREES` says."""
     return arm_in_degrees(arm, robot(form, right_angle="90"))
 
 
 def described(arm: Arm) -> str:
     """What a sheet says of the arm: joints, table and frames."""
-    return rf"""An arm with revolute joints 1, 2 and 4 and a prismatic joint 3 (RRPR) has this table in the **standard**
-Denavit–Hartenberg convention, $\mathbf T_{{i-1}}^i = R_z(\theta_i)\,T_z(d_i)\,T_x(a_i)\,R_x(\alpha_i)$; the base frame
-is frame 0, the tool frame is frame 4:
+    return rf"""An arm with revolute joints 1, 2 and 4 and a prismatic joint 3 (RRPR) has this table
+in the **standard** Denavit–Hartenberg convention,
+$\mathbf T_{{i-1}}^i = R_z(\theta_i)\,T_z(d_i)\,T_x(a_i)\,R_x(\alpha_i)$;
+the base frame is frame 0, the tool frame is frame 4:
 
 {printed_table(table_rows(arm.robot))}"""
 

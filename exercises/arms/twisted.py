@@ -1,4 +1,4 @@
-"""An RRPR arm with drawn twists and two of four offsets, and its table read in the wrong convention."""
+"""An RRPR arm with drawn twists and two of four offsets, and its table as it is misread."""
 
 from functools import lru_cache
 from itertools import combinations, product
@@ -12,7 +12,10 @@ from ..drawing import Drawing
 
 KINDS = "RRPR"
 UNITS = [["m/rad", "m/rad", "1", "m/rad"]] * 3 + [["1"] * 4] * 3
-MODIFIED = "This is what comes out when the table is read in the modified convention; it is a standard one."
+MODIFIED = (
+    "This is what comes out when the table is read in the modified convention; "
+    "it is a standard one."
+)
 LENGTHS = ("d1", "a1", "d2", "a3", "d4", "a4")
 TWISTS = ("pi/2", "-pi/2")
 FORMS = tuple(product(TWISTS, TWISTS, TWISTS, combinations(("a1", "d2", "a3", "d4"), 2)))
@@ -21,19 +24,25 @@ FORMS = tuple(product(TWISTS, TWISTS, TWISTS, combinations(("a1", "d2", "a3", "d
 @lru_cache
 def robot(form: int, *, convention: Any = "standard") -> Robot:
     """The arm of one form, with every length 1 m by default."""
-    *twists, offsets = FORMS[form]
-    lengths = [name for name in LENGTHS if name in ("d1", "a4", *offsets)]
-    d1, a1, d2, a3, d4, a4 = (name if name in lengths else "0" for name in LENGTHS)
-    rows = (
-        ("q1", d1, a1, twists[0]),
-        ("q2", d2, "0", twists[1]),
-        ("0", "q3", a3, twists[2]),
-        ("q4", d4, a4, "0"),
-    )
-    limits = ((-np.pi, np.pi), (-np.pi, np.pi), (0.3, 0.9), (-np.pi, np.pi))
-    sizes = dict.fromkeys(lengths, 1.0)
+    alpha1, alpha2, alpha3, offsets = FORMS[form]
+    cells = dict.fromkeys(LENGTHS, "0")
+    for name in ("d1", "a4", *offsets):
+        cells[name] = name
+    sizes = {name: 1.0 for name, cell in cells.items() if cell == name}
+
     return Robot(
-        "find_the_mistake", "RRPR arm", sizes, rows, limits, "made for this exercise", convention
+        name="find_the_mistake",
+        title="RRPR arm",
+        parameters=sizes,
+        rows=(
+            ("q1", cells["d1"], cells["a1"], alpha1),
+            ("q2", cells["d2"], "0", alpha2),
+            ("0", "q3", cells["a3"], alpha3),
+            ("q4", cells["d4"], cells["a4"], "0"),
+        ),
+        limits=((-np.pi, np.pi), (-np.pi, np.pi), (0.3, 0.9), (-np.pi, np.pi)),
+        source="made for this exercise",
+        convention=convention,
     )
 
 
@@ -46,5 +55,6 @@ def drawn(arm: Arm) -> Drawing:
     """The arm at the student's q."""
     return arm.drawing(
         "The arm at your q, with frame 0 and the tool frame.",
-        "Arm with two revolute joints, a slide and a third revolute joint, drawn at the student's q.",
+        "Arm with two revolute joints, a slide and a third revolute joint, "
+        "drawn at the student's q.",
     )

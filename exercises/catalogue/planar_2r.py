@@ -1,7 +1,8 @@
 """S2: the planar arm with two revolute joints, by trigonometry and by transforms.
 
-S2 prints the answers for an arm whose angles all count counter-clockwise from x. Here the arm is mounted at an angle beta,
-at least one joint counts clockwise, and link 2 may stand at a right angle to link 1 where q2 = 0.
+S2 prints the answers for an arm whose angles all count counter-clockwise from x. Here the arm is
+mounted at an angle beta, at least one joint counts clockwise, and link 2 may stand at a right angle
+to link 1 where q2 = 0.
 """
 
 from typing import Any
@@ -12,10 +13,10 @@ from ...solutions.expression_array import ExpressionArray, same_formulas
 from ..answers import Formulas, Numbers, Variant
 from ..arm import Arm, Array
 from ..arms import planar as arms
+from ..arms import planar_formulas as formulas
 from ..arms.planar import FORMS, NAMES, UP, misread
 from ..calculations.columns import columns
 from ..calculations.own_formulas import jacobian_of_position
-from ..exercise import Outcome
 from ..part import exercise, part
 from ..properties import up_to_full_turns
 
@@ -25,32 +26,29 @@ from ..properties import up_to_full_turns
     Formulas((3,), NAMES),
     check=lambda value, pose: up_to_full_turns(value, pose, NAMES, [2]),
     mistakes=(
-        (
-            arms.ALONE,
-            lambda form: arms.pose_formulas(
-                arms.angle_formulas(form)[0], f"0{arms.bend_formula(form)}"
-            ),
-        ),
-        (arms.MOUNTING, lambda form: arms.pose(form, "0")),
-        (arms.EXCHANGED, lambda form: [arms.pose(form)[i] for i in (1, 0, 2)]),
-        *misread(lambda v: arms.pose(v["form"])),
-        (arms.PRINTED, lambda: arms.SOURCE),
+        (arms.ALONE, formulas.link_2_alone),
+        (arms.MOUNTING, lambda form: formulas.pose(form, "0")),
+        (arms.EXCHANGED, formulas.exchanged),
+        *misread(lambda v: formulas.pose(v["form"])),
+        (arms.PRINTED, lambda: formulas.SOURCE),
     ),
-    shows=arms.ANGLES,
+    shows=formulas.ANGLES,
 )
 def pose(form: int) -> list[str]:
-    r"""The pose $(x, y, \theta)$ of frame 2 in frame 0, as three formulas in `l1`, `l2`, `beta`, `q1`, `q2`, with a `*` in
-    every product and angles in radians (`pi/2` for 90°), such as `l1*cos(q1)`
+    r"""The pose $(x, y, \theta)$ of frame 2 in frame 0, as three formulas in `l1`, `l2`, `beta`,
+    `q1`, `q2`, with a `*` in every product and angles in radians (`pi/2` for 90°), such as
+    `l1*cos(q1)`
 
     - Which angle does each link make with $\mathbf x_0$?
     - A joint that counts clockwise lowers the angle of everything behind it.
 
-    Add the angles from $\mathbf x_0$ on: the mounting angle, each joint with its sense, and what stands between the links
-    where $q_2 = 0$. Link 1 has the angle $<angle1>$, link 2 the angle $<angle2>$. A link of length $l$ at an
-    angle $\psi$ leads on by $(l \cos\psi,\; l \sin\psi)$; the tool has the angle of link 2:
+    Add the angles from $\mathbf x_0$ on: the mounting angle, each joint with its sense, and what
+    stands between the links where $q_2 = 0$. Link 1 has the angle $<angle1>$, link 2 the angle
+    $<angle2>$. A link of length $l$ at an angle $\psi$ leads on by $(l \cos\psi,\; l \sin\psi)$;
+    the tool has the angle of link 2:
     $$\begin{bmatrix} x \\ y \\ \theta \end{bmatrix} = <pose>$$
     """
-    return arms.pose(form)
+    return formulas.pose(form)
 
 
 @part(
@@ -58,52 +56,48 @@ def pose(form: int) -> list[str]:
     Formulas((3, 2), NAMES),
     check=lambda value, J_symbolic: arms.less_omega(same_formulas(value, J_symbolic, NAMES)),
     mistakes=(
-        (arms.MINUS, lambda form: arms.slopes(form, minus=1)),
-        (arms.CHAIN_RULE, lambda form: arms.slopes(form, (1, 1))),
-        (
-            arms.LINK_2,
-            lambda form: [[one.replace("l2", "0"), two] for one, two in arms.slopes(form)],
-        ),
-        *misread(lambda v: arms.slopes(v["form"])),
+        (arms.MINUS, lambda form: formulas.slopes(form, minus=1)),
+        (arms.CHAIN_RULE, lambda form: formulas.slopes(form, (1, 1))),
+        (arms.LINK_2, formulas.without_link_2),
+        *misread(lambda v: formulas.slopes(v["form"])),
     ),
 )
 def J_symbolic(pose: ExpressionArray) -> Any:
-    r"""The 3 × 2 Jacobian of $(x, y, \theta)$ with respect to $(q_1, q_2)$, rows in the order $x, y, \theta$, as formulas in
-    `l1`, `l2`, `beta`, `q1`, `q2`
+    r"""The 3 × 2 Jacobian of $(x, y, \theta)$ with respect to $(q_1, q_2)$, rows in the order
+    $x, y, \theta$, as formulas in `l1`, `l2`, `beta`, `q1`, `q2`
 
     - The derivative of an angle sum with respect to one joint may be negative.
     - Which links move when only $q_2$ changes?
 
-    Differentiate row by row: $d \cos\psi = -\sin\psi \, d\psi$ and $d \sin\psi = \cos\psi \, d\psi$, where $\psi$
-    may fall as $q_i$ grows. Both links turn with $q_1$, link 2 alone with $q_2$:
+    Differentiate row by row: $d \cos\psi = -\sin\psi \, d\psi$ and
+    $d \sin\psi = \cos\psi \, d\psi$, where $\psi$ may fall as $q_i$ grows. Both links turn with
+    $q_1$, link 2 alone with $q_2$:
     $$\mathbf J = <J_symbolic>$$
     """
-    return jacobian_of_position(pose, arms.SOURCE, NAMES, rows=2)
+    return jacobian_of_position(pose, formulas.SOURCE, NAMES, rows=2)
 
 
 @part(
     3,
     Numbers((2, 4, 4), [[["1", "1", "1", "m"]] * 3 + [["1"] * 4]]),
-    # A product in the wrong order, whose rotation is right by chance, earns nothing for it.
-    check=lambda value, v: Outcome(
-        share=0.5 if np.abs(value - arms.wrong_order(v)).max() <= arms.NEAR else None
-    ),
+    check=arms.judged_transforms,
     mistakes=(
         (arms.FROM_1, arms.links),
         (arms.ORDER, arms.wrong_order),
         (arms.MOUNTING, lambda v: arms.transforms({**v, "beta": 0.0})),
         *misread(arms.transforms),
     ),
-    shows=arms.ANGLES,
+    shows=formulas.ANGLES,
 )
 def T(v: Variant) -> Array:
-    r"""The transforms $\mathbf T_0^1$ and $\mathbf T_0^2$ (poses of frames 1 and 2 in frame 0) at your $\mathbf q$, stacked to an
-    array 2 × 4 × 4
+    r"""The transforms $\mathbf T_0^1$ and $\mathbf T_0^2$ (poses of frames 1 and 2 in frame 0) at
+    your $\mathbf q$, stacked to an array 2 × 4 × 4
 
     - Turn first, then go along the link.
     - $\mathbf T_0^2 = \mathbf T_0^1\,\mathbf T_1^2$
 
-    $\mathbf T_0^1 = R_z(<angle1>)\,T_x(l_1)$ and $\mathbf T_0^2 = \mathbf T_0^1\,R_z(<bend>)\,T_x(l_2)$. With your numbers:
+    $\mathbf T_0^1 = R_z(<angle1>)\,T_x(l_1)$ and
+    $\mathbf T_0^2 = \mathbf T_0^1\,R_z(<bend>)\,T_x(l_2)$. With your numbers:
     $$\mathbf T_0^1,\; \mathbf T_0^2 = <T>$$
     """
     return arms.transforms(v)
@@ -116,31 +110,30 @@ def T(v: Variant) -> Array:
     mistakes=(
         (arms.SENSE, lambda T: columns(np.array([UP, UP]), arms.levers(T), "RR")),
         (arms.FROM_BASE, lambda arm, T: columns(arm.axes.T, T[[1, 1], :3, 3], "RR")),
-        (
-            arms.TO_JOINT_2,
-            lambda arm, T: columns(arm.axes.T, np.array([T[0, :3, 3], arms.levers(T)[1]]), "RR"),
-        ),
+        (arms.TO_JOINT_2, lambda arm, T: columns(arm.axes.T, arms.levers_to_elbow(T), "RR")),
         (arms.OMEGA_SENSE, lambda J: np.concatenate([J[:5], [[1.0, 1.0]]])),
         *misread(arms.jacobian),
     ),
     shows={
-        "sense1": lambda form: f"{FORMS[form][0]:+d}",
+        "sense1": lambda form: f"{FORMS[form][0]:+d}",  # +1 or -1
         "sense2": lambda form: f"{FORMS[form][1]:+d}",
     },
 )
 def J(arm: Arm, T: Array) -> Array:
-    r"""The 6 × 2 Jacobian $\mathbf J$ of the tool point in the axes of frame 0 at your $\mathbf q$, rows
-    $v_x, v_y, v_z, \omega_x, \omega_y, \omega_z$, from the transforms
+    r"""The 6 × 2 Jacobian $\mathbf J$ of the tool point in the axes of frame 0 at your $\mathbf q$,
+    rows $v_x, v_y, v_z, \omega_x, \omega_y, \omega_z$, from the transforms
 
     - The axis of a joint that counts clockwise points the other way.
     - Compare with your formulas at your numbers.
 
-    Column $i$ is $\mathbf z \times (\mathbf o_2 - \mathbf o_{i-1})$ above $\mathbf z$, where $\mathbf z$ is the axis of
-    joint $i$ in its positive sense and $\mathbf o_{i-1}$ the origin of frame $i-1$, which lies on it. Here
-    $\mathbf z = (0, 0, <sense1>)$ for joint 1 and $(0, 0, <sense2>)$ for joint 2:
+    Column $i$ is $\mathbf z \times (\mathbf o_2 - \mathbf o_{i-1})$ above $\mathbf z$, where
+    $\mathbf z$ is the axis of joint $i$ in its positive sense and $\mathbf o_{i-1}$ the origin of
+    frame $i-1$, which lies on it. Here $\mathbf z = (0, 0, <sense1>)$ for joint 1 and
+    $(0, 0, <sense2>)$ for joint 2:
     $$\mathbf J = <J>$$
 
-    Rows 1, 2 and 6 are the formulas of the 3 × 2 Jacobian at your numbers; the others are zero in the plane.
+    Rows 1, 2 and 6 are the formulas of the 3 × 2 Jacobian at your numbers; the others are zero in
+    the plane.
     """
     return columns(arm.axes.T, arms.levers(T), "RR")
 

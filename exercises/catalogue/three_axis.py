@@ -14,37 +14,49 @@ from ..part import exercise, part
 
 ROBOT = ROBOTS["three_axis"]
 WISHED = np.array([0.01, 0.012, -0.013])  # S0's own dp, on sheets handed out before it was drawn
+TRANSPOSED = "The transposed block is no inverse: a linear system is to be solved."
+MULTIPLIED = (
+    "The displacement of the tool point is multiplied by A; which side of A dq = dp is known?"
+)
+HELD = "This is a least-squares answer with all six rows and dw = 0; here the rotation is free."
+ROWS_OF_B = "Rows and columns of B are exchanged: its columns are the joint axes."
+IN_TOOL_AXES = "This is the rotation in the axes of the tool frame; base axes are asked."
+TRUE_WAY = "This is the true displacement itself; how far is it from the wished one?"
+SOLVED = "A dq - dp is zero because dq solves it; the true tool point at q + dq is asked."
+MISSED = r"\mathbf p^{tool}(\mathbf q + d\mathbf q) - \mathbf p^{tool}(\mathbf q) - d\mathbf p"
 
-STATEMENT = r"""All three joints of this robot are revolute. Frame $i$ sits on the axis of joint $i$, with
-$\mathbf z^{i}$ along the axis:
+STATEMENT = r"""All three joints of this robot are revolute. Frame $i$ sits on the axis of joint
+$i$, with $\mathbf z^{i}$ along the axis:
 
 $$\mathbf T_{base}^{1} = T_z(L)\,R_z(q_1), \quad \mathbf T_1^2 = R_x(90°)\,R_z(q_2), \quad
 \mathbf T_2^3 = T_y(a_2)\,R_z(q_3), \quad \mathbf T_3^{tool} = T_x(a_3).$$
 
-$T_x, T_y, T_z$ move along and $R_x, R_z$ turn about an axis of the current frame. Give all vectors in the base frame.
+$T_x, T_y, T_z$ move along and $R_x, R_z$ turn about an axis of the current frame. Give all vectors
+in the base frame.
 
-For a small joint displacement $d\mathbf q$ the tool point moves, to first order, by $d\mathbf p = \mathbf A\,d\mathbf q$ and the tool frame
-turns by $d\mathbf w = \mathbf B\,d\mathbf q$; the Jacobian $\mathbf J$ stacks $\mathbf A$ above $\mathbf B$.
+For a small joint displacement $d\mathbf q$ the tool point moves, to first order, by
+$d\mathbf p = \mathbf A\,d\mathbf q$ and the tool frame turns by
+$d\mathbf w = \mathbf B\,d\mathbf q$; the Jacobian $\mathbf J$ stacks $\mathbf A$ above $\mathbf B$.
 
-The wished displacement of the tool point is $d\mathbf p$. With it $\mathbf J\,d\mathbf q = d\mathbf u$
-would be six equations for three unknowns, which in general contradict each other: only three of them can be prescribed."""
+The wished displacement of the tool point is $d\mathbf p$. With it
+$\mathbf J\,d\mathbf q = d\mathbf u$ would be six equations for three unknowns, which in general
+contradict each other: only three of them can be prescribed."""
 
 
 def draw(rng: np.random.Generator) -> dict[str, Any]:
-    """An arm away from its singular postures, and a displacement that first order meets to a few per cent."""
+    """A regular arm, and a displacement that first order meets to a few per cent."""
 
-    def arm() -> dict[str, Any]:
+    def lengths_and_q() -> dict[str, Any]:
         lengths = {name: length(rng) for name in ("L", "a2", "a3")}
         return {**lengths, "q": angles(rng, 3, [(1, 2)])}
 
-    v = until(arm, is_regular)
-    return v | {
-        "dp": until(lambda: small(rng), lambda drawn: is_telling(arm_of(ROBOT, v), np.array(drawn)))
-    }
+    v = until(lengths_and_q, is_regular)
+    arm = arm_of(ROBOT, v)
+    return v | {"dp": until(lambda: small(rng), lambda dp: is_telling(arm, np.array(dp)))}
 
 
 def is_regular(v: dict[str, Any]) -> bool:
-    """Neither stretched or folded, nor with the tool near axis 1."""
+    """Whether the arm is neither stretched or folded, nor the tool near axis 1."""
     _, q2, q3 = v["q"]
     radius = v["a3"] * np.cos(q2 + q3) - v["a2"] * np.sin(q2)
     return bool(abs(np.cos(q3)) > 0.3 and abs(radius) > 0.2)
@@ -52,32 +64,38 @@ def is_regular(v: dict[str, Any]) -> bool:
 
 def small(rng: np.random.Generator) -> list[float]:
     """Three components [m] with three decimals, |dp| about 0.02."""
-    return [round(float(x) / 1000, 3) for x in rng.integers(6, 19, 3) * rng.choice([-1, 1], 3)]
+    millimetres = rng.integers(6, 19, 3) * rng.choice([-1, 1], 3)
+    return np.round(millimetres / 1000, 3).tolist()
 
 
 def is_telling(arm: Arm, dp: Array) -> bool:
-    """Whether dq is small, joint 1 and the sum of the others take part, and every component of the error shows."""
+    """Whether dq is small, every joint takes part, and every component of the error shows."""
     dq = np.linalg.solve(arm.J[:3], dp)
     missed = error(arm, dq, dp)
-    turns = np.abs([*dq, dq[1] + dq[2]])
-    is_small = 0.018 <= np.linalg.norm(dp) <= 0.024 and np.abs(dq).max() <= 0.15
-    shows = turns.min() >= 0.002 and np.abs(missed).min() >= 2e-5
-    return bool(is_small and shows and np.linalg.norm(missed) <= 0.004)
+    if not 0.018 <= np.linalg.norm(dp) <= 0.024 or np.abs(dq).max() > 0.15:
+        return False
+
+    turns = np.abs([*dq, dq[1] + dq[2]])  # joints 2 and 3 turn about one axis
+    takes_part = turns.min() >= 0.002
+    shows = np.abs(missed).min() >= 2e-5 and np.linalg.norm(missed) <= 0.004
+    return bool(takes_part and shows)
 
 
 @part(3, Numbers((3, 4), "m", 3), shows={"tip": lambda arm: arm.closed.T[:3, 3]})
 def p(arm: Arm) -> Array:
-    r"""The origins $\mathbf p^1, \mathbf p^2, \mathbf p^3$ and the tool point $\mathbf p^{tool}$, as the four columns of a 3 × 4 matrix
+    r"""The origins $\mathbf p^1, \mathbf p^2, \mathbf p^3$ and the tool point $\mathbf p^{tool}$,
+    as the four columns of a 3 × 4 matrix
 
     - The origin of a frame is the last column of its transform.
     - Which frames share an origin?
 
-    Multiply the transforms up to frame $i$: $\mathbf T_{base}^{i} = \mathbf T_{base}^{1} \mathbf T_1^2 \cdots \mathbf T_{i-1}^{i}$.
-    Its last column is $\mathbf p_{base}^{i}$. The tool point in closed form:
+    Multiply the transforms up to frame $i$: $\mathbf T_{base}^{i} =
+    \mathbf T_{base}^{1} \mathbf T_1^2 \cdots \mathbf T_{i-1}^{i}$. Its last column is
+    $\mathbf p_{base}^{i}$. The tool point in closed form:
     $$\mathbf p_{base}^{tool} = <tip>$$
 
-    With your numbers, the columns are $\mathbf p^1, \mathbf p^2, \mathbf p^3, \mathbf p^{tool}$. Frames 1 and 2 share their
-    origin, because $\mathbf T_1^2$ only turns.
+    With your numbers, the columns are $\mathbf p^1, \mathbf p^2, \mathbf p^3, \mathbf p^{tool}$.
+    Frames 1 and 2 share their origin, because $\mathbf T_1^2$ only turns.
     $$\left[\mathbf p^1\; \mathbf p^2\; \mathbf p^3\; \mathbf p^{tool}\right] = <p>$$
     """
     return arm.frames[:, :3, 3].T
@@ -90,8 +108,8 @@ def z(arm: Arm) -> Array:
     - The axis is the third column of the rotation.
     - Axes 2 and 3 are parallel.
 
-    $\mathbf z_{base}^{i}$ is the third column of the rotation in $\mathbf T_{base}^{i}$. Axes 2 and 3 are parallel, since
-    $\mathbf T_2^3$ turns about $\mathbf z$ only:
+    $\mathbf z_{base}^{i}$ is the third column of the rotation in $\mathbf T_{base}^{i}$. Axes 2 and
+    3 are parallel, since $\mathbf T_2^3$ turns about $\mathbf z$ only:
     $$\mathbf z^2 = \mathbf z^3 = <z2>$$
 
     With your numbers:
@@ -107,8 +125,8 @@ def A(p: Array, z: Array) -> Array:
     - The lever arm goes from the joint to the tool point.
     - The order of a cross product decides its sign.
 
-    All joints are revolute, $\xi_i = 1$, so column $i$ of $\mathbf A$ is $\mathbf z^{i} \times (\mathbf p^{tool} - \mathbf p^{i})$
-    (S0, eq. 4.8). In closed form:
+    All joints are revolute, $\xi_i = 1$, so column $i$ of $\mathbf A$ is
+    $\mathbf z^{i} \times (\mathbf p^{tool} - \mathbf p^{i})$ (S0, eq. 4.8). In closed form:
     $$\mathbf A = <closed>$$
 
     With your numbers:
@@ -123,7 +141,8 @@ def B(z: Array) -> Array:
 
     - A revolute joint turns the tool about its own axis.
 
-    Column $i$ of $\mathbf B$ is $\xi_i \mathbf z^{i} = \mathbf z^{i}$ (S0, eq. 4.10). With your numbers:
+    Column $i$ of $\mathbf B$ is $\xi_i \mathbf z^{i} = \mathbf z^{i}$ (S0, eq. 4.10). With your
+    numbers:
     $$\mathbf B = <B>$$
     """
     return z
@@ -154,28 +173,21 @@ def held_rotation(arm: Arm, A: Array, dp: Array = WISHED) -> Array:
         "size": lambda A: f"{np.linalg.det(A):.3f}",
     },
     mistakes=(
-        (
-            "The transposed block is no inverse: a linear system is to be solved.",
-            lambda A, dp=WISHED: A.T @ dp,
-        ),
-        (
-            "The displacement of the tool point is multiplied by A; which side of A dq = dp is known?",
-            lambda A, dp=WISHED: A @ dp,
-        ),
-        (
-            "This is a least-squares answer with all six rows and dw = 0; here the rotation is free.",
-            held_rotation,
-        ),
+        (TRANSPOSED, lambda A, dp=WISHED: A.T @ dp),
+        (MULTIPLIED, lambda A, dp=WISHED: A @ dp),
+        (HELD, held_rotation),
     ),
 )
 def dq(A: Array, dp: Array = WISHED) -> Array:
-    r"""The joint displacement $d\mathbf q$ with $\mathbf A\,d\mathbf q = d\mathbf p$ for your $d\mathbf p$, whatever rotation comes along
+    r"""The joint displacement $d\mathbf q$ with $\mathbf A\,d\mathbf q = d\mathbf p$ for your
+    $d\mathbf p$, whatever rotation comes along
 
     - Three equations for three unknowns.
     - The rotation of the tool is not prescribed.
 
-    $\mathbf A$ is square, and regular at your $\mathbf q$: its determinant is the product below, for you <size>. So
-    $d\mathbf q = \mathbf A^{-1} d\mathbf p$ is the only solution of $\mathbf A\,d\mathbf q = d\mathbf p$.
+    $\mathbf A$ is square, and regular at your $\mathbf q$: its determinant is the product below,
+    for you <size>. So $d\mathbf q = \mathbf A^{-1} d\mathbf p$ is the only solution of
+    $\mathbf A\,d\mathbf q = d\mathbf p$.
     $$\det \mathbf A = <det>$$
 
     With your numbers:
@@ -189,14 +201,8 @@ def dq(A: Array, dp: Array = WISHED) -> Array:
     1,
     Numbers((3,), "rad", 5),
     mistakes=(
-        (
-            "Rows and columns of B are exchanged: its columns are the joint axes.",
-            lambda B, dq: B.T @ dq,
-        ),
-        (
-            "This is the rotation in the axes of the tool frame; base axes are asked.",
-            lambda arm, B, dq: arm.R.T @ B @ dq,
-        ),
+        (ROWS_OF_B, lambda B, dq: B.T @ dq),
+        (IN_TOOL_AXES, lambda arm, B, dq: arm.R.T @ B @ dq),
     ),
 )
 def dw(B: Array, dq: Array) -> Array:
@@ -204,9 +210,10 @@ def dw(B: Array, dq: Array) -> Array:
 
     - Every joint turns the tool about its own axis; small rotations add.
 
-    $d\mathbf w = \mathbf B\,d\mathbf q = \mathbf z^1 dq_1 + \mathbf z^2 (dq_2 + dq_3)$ (S0, eq. 4.9). Nobody asked for it: $d\mathbf p$
-    alone fixes the three $dq_i$. That is why $\mathbf J\,d\mathbf q = d\mathbf u$ (S0, eq. 4.13), six equations for three
-    unknowns, has in general no solution: it has one only if the wished $d\mathbf w$ is this one:
+    $d\mathbf w = \mathbf B\,d\mathbf q = \mathbf z^1 dq_1 + \mathbf z^2 (dq_2 + dq_3)$
+    (S0, eq. 4.9). Nobody asked for it: $d\mathbf p$ alone fixes the three $dq_i$. That is why
+    $\mathbf J\,d\mathbf q = d\mathbf u$ (S0, eq. 4.13), six equations for three unknowns, has in
+    general no solution: it has one only if the wished $d\mathbf w$ is this one:
     $$d\mathbf w = <dw>$$
     """
     return B @ dq
@@ -216,26 +223,23 @@ def dw(B: Array, dq: Array) -> Array:
     2,
     Numbers((3,), "m", 6),
     mistakes=(
-        (
-            "This is the true displacement itself; how far is it from the wished one?",
-            lambda arm, dq: arm.at(arm.q + dq).p - arm.p,
-        ),
-        (
-            "A dq - dp is zero because dq solves it; the true tool point at q + dq is asked.",
-            lambda: np.zeros(3),
-        ),
+        (TRUE_WAY, lambda arm, dq: arm.at(arm.q + dq).p - arm.p),
+        (SOLVED, lambda: np.zeros(3)),
     ),
+    shows={"missed": lambda: MISSED},
 )
 def error(arm: Arm, dq: Array, dp: Array = WISHED) -> Array:
-    r"""How far first order misses: $\mathbf p^{tool}(\mathbf q + d\mathbf q) - \mathbf p^{tool}(\mathbf q) - d\mathbf p$ with the
+    r"""How far first order misses:
+    $\mathbf p^{tool}(\mathbf q + d\mathbf q) - \mathbf p^{tool}(\mathbf q) - d\mathbf p$ with the
     true tool point of both postures, in metres, from $d\mathbf q$ with all its digits
 
     - Compute the tool point a second time, at the new angles.
     - Expect well under a few millimetres.
 
-    Multiply the transforms once more at $\mathbf q + d\mathbf q$. S0 prints eq. 4.7 with an equals sign, but it holds to first
-    order: what is missed grows with the square of $d\mathbf q$. With your numbers:
-    $$\mathbf p^{tool}(\mathbf q + d\mathbf q) - \mathbf p^{tool}(\mathbf q) - d\mathbf p = <error>$$
+    Multiply the transforms once more at $\mathbf q + d\mathbf q$. S0 prints eq. 4.7 with an equals
+    sign, but it holds to first order: what is missed grows with the square of $d\mathbf q$. With
+    your numbers:
+    $$<missed> = <error>$$
     """
     return arm.at(arm.q + dq).p - arm.p - dp
 
@@ -245,7 +249,10 @@ def drawings(arm: Arm) -> Drawing:
     shoulder, elbow, hand = (pose[:3, 3] for pose in arm.frames[1:])
     return arm.drawing(
         "Your 3-axis robot at your q.",
-        "Arm with three revolute joints: axis 1 vertical, axes 2 and 3 horizontal and parallel, drawn at your q.",
+        (
+            "Arm with three revolute joints: axis 1 vertical, axes 2 and 3 horizontal and "
+            "parallel, drawn at your q."
+        ),
         base="base",
         lengths={"L": (np.zeros(3), shoulder), "a2": (shoulder, elbow), "a3": (elbow, hand)},
     )
@@ -259,7 +266,10 @@ EXERCISE = exercise(
     objectives=(
         "Find origins and joint axes of frames by multiplying transforms.",
         "Build the Jacobian column by column from axes and origins.",
-        "Find the joint displacement for a small displacement of the tool point, and see what comes along and what is missed.",
+        (
+            "Find the joint displacement for a small displacement of the tool point, "
+            "and see what comes along and what is missed."
+        ),
     ),
     robot=ROBOT,
     units={"dp": ["m"] * 3},

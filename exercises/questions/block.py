@@ -1,34 +1,33 @@
-"""The square block of the task: its determinant, where it is singular, and its ellipsoid."""
+"""The square block of the task as a formula: its determinant, and where it is singular."""
 
 import numpy as np
 
-from ...solutions.ellipsoids import velocity_ellipsoid
 from ...solutions.expression import Expression
 from ...solutions.expression_array import ExpressionArray
 from ...solutions.robot import Robot
-from ...solutions.singularity import manipulability as product_of_values
-from ..answers import Conditions, Formulas, Numbers
-from ..arm import Arm, Array
+from ..answers import Conditions, Formulas
+from ..arm import Arm
 from ..calculations.own_formulas import closed_determinant, closed_factors
-from ..calculations.twists import VELOCITIES, Chosen, jacobian_units, listed, rows_on_sheet
+from ..calculations.twists import VELOCITIES, listed, rows_on_sheet
 from ..contract.question import Question
 from ..exercise import ExerciseError, Outcome
 from ..part import Ready, Setting
-from ..properties import named_multiple, parallel
+from ..properties import named_multiple
 from .frames import filled
 
-DETERMINANT = r"""The determinant of the rows @rows@ of $\mathbf J$ in base axes at the tool point, with its sign, as one formula in the names
-of your lengths and q1, q2 ...
+DETERMINANT = r"""The determinant of the rows @rows@ of $\mathbf J$ in base axes at the tool point,
+with its sign, as one formula in the names of your lengths and q1, q2 ...
 
-- It does not depend on the first joint where that one only turns or shifts the whole arm: choose it as you like.
+- It does not depend on the first joint where that one only turns or shifts the whole arm: choose it
+  as you like.
 - Expand along a row or column with zeros.
 
 Written as a product:
 $$\det = <@name@>$$
 """
-SINGULAR = r"""All postures in which the rows @rows@ of $\mathbf J$ are singular: a list of conditions in the names of your lengths and q1,
-q2 ..., each as text such as `'cos(q1) = 0'` or `'d1 + q3*q2 = 0'`; a posture is singular when one of them holds. Count
-postures with @limits@
+SINGULAR = r"""All postures in which the rows @rows@ of $\mathbf J$ are singular: a list of
+conditions in the names of your lengths and q1, q2 ..., each as text such as `'cos(q1) = 0'` or
+`'d1 + q3*q2 = 0'`; a posture is singular when one of them holds. Count postures with @limits@
 
 - Where is the determinant zero? Take its factors one by one.
 - An angle has more than one solution in a full turn.
@@ -39,50 +38,24 @@ $$\det = <product>$$
 The factors that can be zero:
 $$<@name@>$$
 """
-ELLIPSOID = r"""The half axes of the velocity ellipsoid of the @count@ rows @rows@ of $\mathbf J$: the sizes of the velocities that joint
-rates with $\dot q_1^2 + \cdots + \dot q_{@n@}^2 = 1$ give along its axes, the largest first
-
-- They are the singular values of the block.
-- The eigenvalues of $\mathbf J \mathbf J^T$ are their squares.
-
-The singular values of the block, $\mathbf J = \mathbf U\,\mathrm{diag}(\sigma_1, \ldots)\,\mathbf V^T$:
-$$\boldsymbol\sigma = <@name@>$$
-"""
-FORMULA = r"""The manipulability $w = \sqrt{\det(\mathbf J \mathbf J^T)}$ of the rows @rows@ of $\mathbf J$ in base axes at the tool point, as
-one formula in the names of your lengths and q1, q2 ..., with `abs(...)` or `sqrt(...)` where its sign could change
+FORMULA = r"""The manipulability $w = \sqrt{\det(\mathbf J \mathbf J^T)}$ of the rows @rows@ of
+$\mathbf J$ in base axes at the tool point, as one formula in the names of your lengths and q1, q2
+..., with `abs(...)` or `sqrt(...)` where its sign could change
 
 - The block is square: what is the determinant of a product of square matrices?
 
-For a square block $\det(\mathbf J \mathbf J^T) = (\det \mathbf J)^2$, so $w$ is the size of the determinant:
+For a square block $\det(\mathbf J \mathbf J^T) = (\det \mathbf J)^2$, so $w$ is the size of the
+determinant:
 $$w = <@name@>$$
 """
-LONGEST = r"""A unit vector $\mathbf u$ along the longest half axis of the velocity ellipsoid of the rows @rows@ of $\mathbf J$, with either sign
-
-- It is the direction in which the tool is fastest.
-- It is an eigenvector of $\mathbf J \mathbf J^T$.
-
-The first left singular vector of the block:
-$$\mathbf u = <@name@>$$
-"""
-MANIPULABILITY = r"""The manipulability $w = \sqrt{\det(\mathbf J \mathbf J^T)}$ of the rows @rows@ of $\mathbf J$
-
-- For a square block it is the size of the determinant.
-- It is the product of the half axes of the velocity ellipsoid.
-
-The product of the singular values:
-$$w = <@name@>$$
-"""
-SLOWEST = "This is the direction in which the tool is slowest, and strongest."
-SQUARES = "These are the squares: eigenvalues of J J^T. The half axes are their roots."
-INVERSES = "These are the half axes of the force ellipsoid, the inverses; those of the velocity ellipsoid are asked."
-SQUARE = "This is det(J J^T), the square; the root is missing."
-
-
-DIRECTION = 0.01  # [rad]
 
 
 def determinant(*, name: str = "det", points: float = 2) -> Ready:
-    """The determinant of the robot's task rows as a formula; a multiple of it is named."""
+    """The determinant of the robot's task rows as a formula; a multiple of it is named.
+
+    Raises:
+        ExerciseError: on a sheet, where a length of the arm is not among the drawn numbers.
+    """
 
     def ready(setting: Setting) -> Question:
         robot = setting.robot
@@ -98,13 +71,13 @@ def determinant(*, name: str = "det", points: float = 2) -> Ready:
 
 def _check_names(setting: Setting, what: str) -> None:
     """Formulas are in names of the sheet: a length that is not drawn has none there."""
-    missing = sorted(
-        closed_determinant(setting.robot).names - {*setting.robot.joints, *setting.arm.lengths}
-    )
+    robot = setting.robot
+    on_sheet = {*robot.joints, *setting.arm.lengths}
+    missing = closed_determinant(robot).names - on_sheet
     if missing:
         raise ExerciseError(
-            f"{what} takes an arm whose lengths are drawn, since it asks for formulas in their names; "
-            f"{', '.join(missing)} of {setting.robot.name} should be among the drawn numbers"
+            f"{what} takes an arm whose lengths are drawn, since it asks for formulas in their "
+            f"names; {', '.join(sorted(missing))} of {robot.name} should be among the drawn numbers"
         )
 
 
@@ -113,7 +86,11 @@ def _determinant(arm: Arm) -> ExpressionArray:
 
 
 def manipulability_formula(*, name: str = "w", points: float = 2) -> Ready:
-    """The manipulability of the robot's task rows as a formula: the size of their determinant."""
+    """The manipulability of the robot's task rows as a formula: the size of their determinant.
+
+    Raises:
+        ExerciseError: on a sheet, where a length of the arm is not among the drawn numbers.
+    """
 
     def ready(setting: Setting) -> Question:
         robot = setting.robot
@@ -134,7 +111,11 @@ def _named(arm: Arm, value: ExpressionArray) -> Outcome | None:
 
 
 def singular(*, name: str = "singular", points: float = 3) -> Ready:
-    """All conditions under which the robot's task rows are singular, within its limits."""
+    """All conditions under which the robot's task rows are singular, within its limits.
+
+    Raises:
+        ExerciseError: on a sheet, where a length of the arm is not among the drawn numbers.
+    """
 
     def ready(setting: Setting) -> Question:
         robot = setting.robot
@@ -158,11 +139,14 @@ def _factors(arm: Arm) -> tuple[Expression, ...]:
 def limits_of(robot: Robot) -> dict[str, tuple[float, float]]:
     """The range of every joint within which conditions count [rad, m].
 
-    A full turn, or a slide's longest stroke to both sides, since a stroke of zero may be what is asked.
+    A full turn, or a slide's longest stroke to both sides, since a stroke of zero may be what is
+    asked.
     """
     ranges: dict[str, tuple[float, float]] = {}
     for joint, kind, (_, longest) in zip(robot.joints, robot.kinds, robot.limits, strict=True):
-        most = np.pi if kind == "R" else round(longest, 2)
+        most = np.pi
+        if kind == "P":
+            most = round(longest, 2)
         ranges[joint] = (-most, most)
     return ranges
 
@@ -172,104 +156,7 @@ def _said(limits: dict[str, tuple[float, float]], kinds: str) -> str:
     for (joint, (low, high)), kind in zip(limits.items(), kinds, strict=True):
         if kind == "P":
             said.append(
-                f"${joint[0]}_{joint[1:]}$ from −{-low:g} m to {high:g} m, the slide running through to the other side"
+                f"${joint[0]}_{joint[1:]}$ from −{-low:g} m to {high:g} m, "
+                "the slide running through to the other side"
             )
     return " and ".join(said)
-
-
-def ellipsoid(
-    *,
-    rows: Chosen = "linear",
-    name: str = "axes",
-    points: float = 2,
-    decimals: int = 3,
-    J: str = "J",
-) -> Ready:
-    """Half axes (m,) of the velocity ellipsoid of the Jacobian `J` before it, which has these rows."""
-
-    def ready(setting: Setting) -> Question:
-        asked = rows_on_sheet(rows, setting.rows, setting.robot.task_rows)
-        text = filled(
-            ELLIPSOID,
-            count=len(asked),
-            rows=listed(VELOCITIES, asked),
-            n=setting.robot.n,
-            name=name,
-        )
-        mistakes = (
-            (SQUARES, lambda J: velocity_ellipsoid(J).lengths ** 2),
-            (INVERSES, lambda J: np.sort(1 / velocity_ellipsoid(J).lengths)[::-1]),
-        )
-        answer = Numbers((len(asked),), jacobian_units(asked, "R")[0][0], decimals)
-        return Question(
-            _half_axes, name, points, answer, mistakes, docstring=text, renamed={"J": J}
-        )
-
-    return ready
-
-
-def _half_axes(J: Array) -> Array:
-    return velocity_ellipsoid(J).lengths
-
-
-def ellipsoid_axis(
-    *,
-    rows: Chosen = "linear",
-    name: str = "axis",
-    points: float = 2,
-    decimals: int = 4,
-    J: str = "J",
-) -> Ready:
-    """A direction (m,) of the longest half axis of the velocity ellipsoid, at any length and with either sign.
-
-    Draw postures whose two longest half axes differ clearly: on a circle every direction is one.
-    """
-
-    def ready(setting: Setting) -> Question:
-        asked = rows_on_sheet(rows, setting.rows, setting.robot.task_rows)
-        text = filled(LONGEST, rows=listed(VELOCITIES, asked), name=name)
-        return Question(
-            _longest,
-            name,
-            points,
-            Numbers((len(asked),), "1", decimals),
-            check=_judged_axis,
-            options={"credit": "all"},
-            docstring=text,
-            renamed={"J": J},
-        )
-
-    return ready
-
-
-def _longest(J: Array) -> Array:
-    return velocity_ellipsoid(J).axes[:, 0]
-
-
-def _judged_axis(J: Array, value: Array) -> Outcome:
-    axes = velocity_ellipsoid(J).axes
-    if parallel(value, axes[:, 0], DIRECTION):
-        return Outcome(right=True)
-    slowest = parallel(value, axes[:, -1], DIRECTION)
-    return Outcome(right=False, finding=SLOWEST if slowest else "")
-
-
-def manipulability(
-    *, rows: Chosen = "task", name: str = "w", points: float = 1, decimals: int = 4, J: str = "J"
-) -> Ready:
-    """Manipulability (Yoshikawa, 1985) of the Jacobian `J` before it, which has these rows."""
-
-    def ready(setting: Setting) -> Question:
-        asked = rows_on_sheet(rows, setting.rows, setting.robot.task_rows)
-        text = filled(MANIPULABILITY, rows=listed(VELOCITIES, asked), name=name)
-        mistakes = ((SQUARE, lambda J: product_of_values(J) ** 2),)
-        answer = Numbers((), "1", decimals)
-        return Question(
-            _manipulability, name, points, answer, mistakes, docstring=text, renamed={"J": J}
-        )
-
-    return ready
-
-
-def _manipulability(J: Array) -> Array:
-    return product_of_values(J)

@@ -14,14 +14,16 @@ from ..part import Ready, Setting
 
 POSE = [["1", "1", "1", "m"]] * 3 + [["1"] * 4]
 AXIS = {"standard": r"\mathbf z_{i-1}", "modified": r"\mathbf z_i"}
-TABLE = r"""The Denavit–Hartenberg table: one row $[\theta_i, d_i, a_i, \alpha_i]$ per joint, as text in the names of your
-lengths and q1, q2 ..., for instance `['q1 + pi', 0.25, 'd1', 'pi/3']`, or as numbers at your $\mathbf q$ (radians, metres)
+TABLE = r"""The Denavit–Hartenberg table: one row $[\theta_i, d_i, a_i, \alpha_i]$ per joint, as
+text in the names of your lengths and q1, q2 ..., for instance `['q1 + pi', 0.25, 'd1', 'pi/3']`, or
+as numbers at your $\mathbf q$ (radians, metres)
 
 - Which way does the positive arrow of each joint make its axis point?
 - A prismatic joint's variable stands in the column d.
 
-@axis@ lies along the axis of joint $i$, in its positive sense. Then $d_i$ and $\theta_i$ are measured along and about
-$\mathbf z$, $a_i$ and $\alpha_i$ along and about $\mathbf x$. The columns are $\theta_i, d_i, a_i, \alpha_i$:
+@axis@ lies along the axis of joint $i$, in its positive sense. Then $d_i$ and $\theta_i$ are
+measured along and about $\mathbf z$, $a_i$ and $\alpha_i$ along and about $\mathbf x$. The columns
+are $\theta_i, d_i, a_i, \alpha_i$:
 $$\mathrm{DH} = <@name@>$$
 """
 ROW = {
@@ -29,12 +31,13 @@ ROW = {
     "modified": r"$\mathbf T_{i-1}^{i} = R_x(\alpha_i)\,T_x(a_i)\,R_z(\theta_i)\,T_z(d_i)$",
     "frames": r"the transform from frame $i-1$ to frame $i$",
 }
-TRANSFORMS = r"""The poses of frames 1 to @n@@tool@ in the base frame at your $\mathbf q$, $\mathbf T_0^1, \mathbf T_0^2, \ldots$,
-stacked to an array @count@ × 4 × 4
+TRANSFORMS = r"""The poses of frames 1 to @n@@tool@ in the base frame at your $\mathbf q$,
+$\mathbf T_0^1, \mathbf T_0^2, \ldots$, stacked to an array @count@ × 4 × 4
 
 - Multiply from the left to the right: T01, then T01 @ T12, and so on.
 
-Each row gives @row@, and $\mathbf T_0^i = \mathbf T_0^1 \mathbf T_1^2 \cdots \mathbf T_{i-1}^{i}$. The last pose in closed form:
+Each row gives @row@, and $\mathbf T_0^i = \mathbf T_0^1 \mathbf T_1^2 \cdots \mathbf T_{i-1}^{i}$.
+The last pose in closed form:
 $$\mathbf T = <closed>$$
 
 With your numbers:
@@ -44,8 +47,8 @@ TOOL = r"""The pose $\mathbf T$ of the tool frame in the base frame at your $\ma
 
 - Multiply the transforms from the base to the tool, from left to right.
 
-Each row gives @row@; their product is the pose. Its columns are the axes of the tool frame ($\mathbf R$) and the tool point
-($\mathbf p$), in base coordinates. In closed form:
+Each row gives @row@; their product is the pose. Its columns are the axes of the tool frame
+($\mathbf R$) and the tool point ($\mathbf p$), in base coordinates. In closed form:
 $$\mathbf T = <closed>$$
 
 With your numbers:
@@ -65,8 +68,11 @@ def filled(text: str, **values: object) -> str:
 def dh_table(*, name: str = "dh", points: float = 3, decimals: int = 3) -> Ready:
     """The table of the arm off its drawing, cell by cell; the sheet then prints no table.
 
-    The base frame, the tool frame and the home pose are drawn; that fixes the table of an arm whose neighbouring axes
-    cross at right angles or lie apart.
+    The base frame, the tool frame and the home pose are drawn; that fixes the table of an arm whose
+    neighbouring axes cross at right angles or lie apart.
+
+    Raises:
+        ExerciseError: on a sheet, where the arm has no Denavit-Hartenberg table.
     """
 
     def ready(setting: Setting) -> Question:
@@ -89,7 +95,10 @@ def _table_of(arm: Arm) -> Table:
 def pose(
     *, name: str = "T", points: float = 2, decimals: int = 4, mistakes: Sequence[Wrong] = ()
 ) -> Ready:
-    """The pose (4, 4) of the tool frame in the base frame; `mistakes` are known wrong ways beside its inverse."""
+    """The pose (4, 4) of the tool frame in the base frame.
+
+    `mistakes` are known wrong ways beside its inverse.
+    """
 
     def ready(setting: Setting) -> Question:
         text = filled(TOOL, row=ROW[setting.robot.convention], name=name)
@@ -111,30 +120,34 @@ def _tool(arm: Arm) -> Array:
 
 
 def transforms(*, name: str = "T", points: float = 3, decimals: int = 3) -> Ready:
-    """The poses of all frames behind the base, (n, 4, 4), with the tool behind them where it is another frame.
+    """The poses of all frames behind the base, (n, 4, 4).
 
-    They follow from the student's own table where one is asked before.
+    The tool comes behind them where it is another frame, (n + 1, 4, 4). They follow from the
+    student's own table where one is asked before.
     """
 
     def ready(setting: Setting) -> Question:
         robot = setting.robot
         count = len(poses(setting.arm))
+        tool = ""
+        if count > robot.n:
+            tool = " and of the tool frame"
         text = filled(
-            TRANSFORMS,
-            n=robot.n,
-            count=count,
-            tool=" and of the tool frame" if count > robot.n else "",
-            row=ROW[robot.convention],
-            name=name,
+            TRANSFORMS, n=robot.n, count=count, tool=tool, row=ROW[robot.convention], name=name
         )
-        own_table = "dh" in setting.earlier and not robot.tool
-        wrong = (NEXT, _next_of_table if own_table else _next)
+
+        solve, each_step = poses, _next
+        if "dh" in setting.earlier and not robot.tool:
+            solve, each_step = _of_table, _next_of_table
+        mistakes: list[Wrong] = []
+        if count > 1:
+            mistakes.append((NEXT, each_step))
         return Question(
-            _of_table if own_table else poses,
+            solve,
             name,
             points,
             Numbers((count, 4, 4), [POSE], decimals),
-            mistakes=(wrong,) if count > 1 else (),
+            mistakes=mistakes,
             shows={"closed": lambda arm: arm.closed.T},
             docstring=text,
         )
@@ -144,15 +157,19 @@ def transforms(*, name: str = "T", points: float = 3, decimals: int = 3) -> Read
 
 def poses(arm: Arm) -> Array:
     """Frames behind the base (k, 4, 4): all that the source prints, the tool once."""
-    frames = arm.frames[1:] if arm.robot.convention == "standard" else arm.frames
-    return frames[:-1] if _same(frames) else frames
+    frames = arm.frames
+    if arm.robot.convention == "standard":
+        frames = frames[1:]
+    if _same(frames):
+        return frames[:-1]
+    return frames
 
 
 def _of_table(arm: Arm, dh: Table) -> Array:
     frames = dh.frames(arm.robot.values(arm.lengths), arm.q)
-    return (
-        frames[1:] if dh.convention == "standard" else frames[:-1]
-    )  # a modified table has its tool at the end
+    if dh.convention == "standard":
+        return frames[1:]
+    return frames[:-1]  # a modified table has its tool at the end
 
 
 def _same(frames: Array) -> bool:
@@ -169,6 +186,6 @@ def _next_of_table(arm: Arm, dh: Table) -> Array:
 
 
 def steps(T: Any) -> Array:
-    """From each pose to the next, the first from the base."""
+    """From each pose (k, 4, 4) to the next, the first from the base."""
     before = np.concatenate([np.eye(4)[None], T[:-1]])
     return np.linalg.inv(before) @ T

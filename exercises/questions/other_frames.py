@@ -36,29 +36,29 @@ TOOL_AXES = r"""The @size@ Jacobian in tool axes at the tool point, @rows@
 - The point does not change.
 
 The point stays, the axes change: $\mathbf v_{tool} = \mathbf R^T \mathbf v$ and
-$\boldsymbol\omega_{tool} = \mathbf R^T \boldsymbol\omega$, because $\mathbf R$ leads from tool axes to base axes. Both
-blocks turn alike:
-$$\begin{bmatrix}\mathbf R^T & \mathbf 0\\ \mathbf 0 & \mathbf R^T\end{bmatrix} \mathbf J = <@name@>$$
+$\boldsymbol\omega_{tool} = \mathbf R^T \boldsymbol\omega$, because $\mathbf R$ leads from tool axes
+to base axes. Both blocks turn alike:
+$$@turn@ \mathbf J = <@name@>$$
 """
 BASE_ORIGIN = r"""The @size@ Jacobian in base axes at the base origin, @rows@
 
 - How do the velocities of two points of one body differ?
 - The angular rows are those of every point.
 
-The axes stay, the point changes. The point of the body at the base origin lies $-\mathbf p$ from the tool point, so its
-velocity is $\mathbf v + \boldsymbol\omega \times (-\mathbf p) = \mathbf v + \mathbf p \times \boldsymbol\omega$;
-$\boldsymbol\omega$ is the same for every point:
+The axes stay, the point changes. The point of the body at the base origin lies $-\mathbf p$ from
+the tool point, so its velocity is $\mathbf v + \boldsymbol\omega \times (-\mathbf p) =
+\mathbf v + \mathbf p \times \boldsymbol\omega$; $\boldsymbol\omega$ is the same for every point:
 $$@shift@ \mathbf J = <@name@>$$
 """
-SHIFT: dict[Rows, str] = {
-    "linear, angular": r"\begin{bmatrix}\mathbf 1 & S(\mathbf p)\\ \mathbf 0 & \mathbf 1\end{bmatrix}",
-    "angular, linear": r"\begin{bmatrix}\mathbf 1 & \mathbf 0\\ S(\mathbf p) & \mathbf 1\end{bmatrix}",
-}
+TURN = r"\begin{bmatrix}\mathbf R^T & \mathbf 0\\ \mathbf 0 & \mathbf R^T\end{bmatrix}"
+SHIFT_LINEAR = r"\begin{bmatrix}\mathbf 1 & S(\mathbf p)\\ \mathbf 0 & \mathbf 1\end{bmatrix}"
+SHIFT_ANGULAR = r"\begin{bmatrix}\mathbf 1 & \mathbf 0\\ S(\mathbf p) & \mathbf 1\end{bmatrix}"
+SHIFT: dict[Rows, str] = {"linear, angular": SHIFT_LINEAR, "angular, linear": SHIFT_ANGULAR}
 
 
 @dataclass(frozen=True)
 class _Lead:
-    """A way from base axes at the tool point to another frame: its text, what comes out, and known wrong ways."""
+    """A way from base axes at the tool point to another frame, with known wrong ways."""
 
     text: str
     convert: Conversion
@@ -71,34 +71,38 @@ class _Lead:
             self.text,
             size=f"6 × {robot.n}",
             rows=described(rows, setting.rows),
+            turn=TURN,
             shift=SHIFT[setting.rows],
             name=name,
         )
-        answer = Numbers((6, robot.n), jacobian_units(rows, robot.kinds), decimals)
-        wrong = [
-            (sentence, _on_sheet(way, rows))
-            for sentence, way in self.wrong
-            if self.changed_by(way, setting.arm)
-        ]
-        return Question(_on_sheet(self.convert, rows), name, points, answer, wrong, docstring=text)
+        mistakes: list[Wrong] = []
+        for sentence, way in self.wrong:
+            if self.changed_by(way, setting.arm):
+                mistakes.append((sentence, _on_sheet(way, rows)))
+        return Question(
+            _on_sheet(self.convert, rows),
+            name,
+            points,
+            Numbers((6, robot.n), jacobian_units(rows, robot.kinds), decimals),
+            mistakes,
+            docstring=text,
+        )
 
     def ready(
         self, name: str, points: float, decimals: int, mistakes: Sequence[Wrong], **earlier: str
     ) -> Ready:
-        """The question for the setting it will stand in, from the results `earlier` on the sheet."""
+        """The question for any setting, from the results `earlier` on the sheet."""
 
         def question(setting: Setting) -> Question:
-            return (
-                self.question(setting, name, points, decimals)
-                .called(name, **earlier)
-                .also(mistakes)
-            )
+            made = self.question(setting, name, points, decimals)
+            return made.called(name, **earlier).also(mistakes)
 
         return question
 
     def changed_by(self, way: Conversion, arm: Arm) -> bool:
         """Whether a wrong way leads such an arm elsewhere."""
-        return bool(np.abs(way(arm.T, arm.J) - self.convert(arm.T, arm.J)).max() > DIFFERENT)
+        right = self.convert(arm.T, arm.J)
+        return bool(np.abs(way(arm.T, arm.J) - right).max() > DIFFERENT)
 
 
 def _on_sheet(convert: Conversion, rows: list[int]) -> Conversion:
@@ -144,9 +148,10 @@ def to_tool_axes(
     T: str = "T",
     mistakes: Sequence[Wrong] = (),
 ) -> Ready:
-    """The Jacobian (6, n) in tool axes that follows from the Jacobian `J` in base axes and the pose `T` (4, 4) before it.
+    """The Jacobian (6, n) in tool axes.
 
-    `mistakes` are known wrong ways beside those that it has for any arm.
+    It follows from the Jacobian `J` in base axes and the pose `T` (4, 4) before it. `mistakes` are
+    known wrong ways beside those that it has for any arm.
     """
     return _TO_TOOL_AXES.ready(name, points, decimals, mistakes, J=J, T=T)
 
@@ -160,8 +165,9 @@ def to_base_origin(
     T: str = "T",
     mistakes: Sequence[Wrong] = (),
 ) -> Ready:
-    """The Jacobian (6, n) at the base origin that follows from `J` at the tool point and the pose `T` (4, 4) before it.
+    """The Jacobian (6, n) at the base origin.
 
-    `mistakes` are known wrong ways beside those that it has for any arm.
+    It follows from `J` at the tool point and the pose `T` (4, 4) before it. `mistakes` are known
+    wrong ways beside those that it has for any arm.
     """
     return _TO_BASE_ORIGIN.ready(name, points, decimals, mistakes, J=J, T=T)
