@@ -19,6 +19,7 @@ from .marks import ByHand
 NEWLINE = "\n"  # behind it stands what was typed, with a caret
 MARKS = {
     "correct": "✓",
+    "follows": "✓",
     "partly": "◐",
     "incorrect": "✗",
     "missing": "–",

@@ -40,6 +40,7 @@ __all__ = [
     "Credit",
     "Exercise",
     "ExerciseError",
+    "Fault",
     "Formulas",
     "Function",
     "Given",
@@ -60,6 +61,8 @@ __all__ = [
 Given = Mapping[str, Any]
 """Earlier answers by variable, each of its declared type: the reference's, or the student's."""
 Credit = Literal["entry", "column", "block", "all"]
+Fault = Literal["slip", "presentation", "concept"]
+"""What kind of mistake it is, which decides what it costs."""
 Rows = Literal["linear, angular", "angular, linear"]
 """Which rows of a Jacobian, and which half of a twist, stand above the others."""
 
@@ -102,10 +105,14 @@ class Step:
 
 @dataclass(frozen=True)
 class Mistake:
-    """A known mistake: the sentence that names the step to look at again, and its wrong answer."""
+    """A known mistake: the sentence that names the step to look at again, and its wrong answer.
+
+    `fault` says what it costs: a slip of the pen, a right answer presented otherwise, or a concept.
+    """
 
     sentence: str
     solve: Callable[[Variant, Given], Any]
+    fault: Fault = "concept"
 
 
 @dataclass(frozen=True, eq=False)

@@ -14,7 +14,7 @@ from ..reading.arrays import flat_texts, reshaped
 from ..reading.typed import typed
 from ..reading.typed_matrix import typed_matrix
 from ..reading.unreadable import Unreadable, clip, entry_name, misread
-from .marker import Array, Asked, Marker, Mask, Wanted
+from .marker import Array, Asked, Marker, Mask, Named, Wanted
 from .signs import said_of_signs
 
 NUMBERS_PUT_IN = 5e-3  # numbers of a sheet have two or three decimals
@@ -109,11 +109,13 @@ def _has_blocks(_: Formulas) -> bool:
     return True
 
 
-def _found(asked: Asked, value: ExpressionArray, right: Mask) -> Iterator[str]:
+def _found(asked: Asked, value: ExpressionArray, right: Mask) -> Iterator[Named]:
     reference: ExpressionArray = asked.wanted.value
     missing = ", ".join(sorted(reference.names - value.names))
     if missing and _numbers_put_in(value, reference, own_numbers(asked.v)):
-        yield f"With your numbers put in it is right, but formulas are asked: they take {missing}."
+        yield Named(
+            f"With your numbers put in it is right, but formulas are asked: they take {missing}."
+        )
         return
     negated = same_formulas(_negated(value), reference, names_on_sheet(asked.answer.names, asked.v))
     yield from said_of_signs(negated & ~right, ~right)
@@ -157,4 +159,5 @@ MARKER = Marker(
     arrays=_arrays,
     has_blocks=_has_blocks,
     found=_found,
+    priced=lambda _, value: bool(value.names),
 )

@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...exercises.answers import Variant
+from ...exercises.exercise import Fault
 from ..collecting.wire import Raw
 
 Array = NDArray[np.float64]
@@ -67,12 +68,27 @@ class Presentation:
     Attributes:
         of: From the reference to what would be seen; None where it cannot be presented so.
         sentence: What the student is told.
-        worthless: Whether the entries that still agree, which they do by chance, earn nothing.
+        fault: What kind of mistake it is.
     """
 
     of: Callable[[Array], Array | None]
     sentence: str
-    worthless: bool = False
+    fault: Fault = "presentation"
+
+
+@dataclass(frozen=True)
+class Named:
+    """What explains a wrong answer, all of it.
+
+    Attributes:
+        sentence: What the student is told.
+        fault: What kind of mistake it is; None where such an answer earns nothing by itself.
+        key: What is charged once though it is met again; the sentence, if empty.
+    """
+
+    sentence: str
+    fault: Fault | None = None
+    key: str = ""
 
 
 @dataclass(frozen=True)
@@ -117,8 +133,12 @@ def _no_presentations(_: Any) -> Sequence[Presentation]:
     return ()
 
 
-def _no_sentences(*_: Any) -> Sequence[str]:
+def _no_names(*_: Any) -> Sequence[Named]:
     return ()
+
+
+def _never(*_: Any) -> bool:
+    return False
 
 
 @dataclass(frozen=True)
@@ -180,8 +200,11 @@ class Marker:
     in_other_units: Callable[[Any], Sequence[Presentation]] = _no_presentations
     """in_other_units(answer): presentations in units that are not asked for."""
 
-    found: Callable[[Asked, Any, Mask], Iterable[str]] = _no_sentences
-    """found(asked, value, right): sentences on a wrong answer, from most to least telling."""
+    found: Callable[[Asked, Any, Mask], Iterable[Named]] = _no_names
+    """found(asked, value, right): what explains a wrong answer, from most to least telling."""
+
+    priced: Callable[[Any, Any], bool] = _never
+    """priced(answer, value): whether a named mistake leaves points, since nobody guesses such a value."""
 
 
 def is_trivial(numbers: Array, allowed: Array | float) -> Mask:

@@ -11,8 +11,8 @@ from ...exercises.answers import Numbers, Variant
 from ..collecting.wire import Raw
 from ..reading.arrays import flat_texts, quantity, refuse_infinite, reshaped, typed_block
 from ..reading.unreadable import Unreadable, clip, entry_name
-from .marker import Array, Asked, Marker, Mask, Presentation, Wanted, is_trivial
-from .signs import said_of_signs
+from .marker import Array, Asked, Marker, Mask, Named, Presentation, Wanted, is_trivial
+from .signs import said_of_exchanged, said_of_one_entry, said_of_signs
 
 LENGTH = re.compile(r"m(/.*)?")  # what is 1000 times as large in millimetres: no area, and no mass
 MOMENT = re.compile(r"N m(/.*)?")
@@ -108,7 +108,7 @@ def _in_other_units(answer: Numbers) -> tuple[Presentation, ...]:
 
 def _times(factors: Array, sentence: str) -> Presentation:
     """Entries that are too large by these factors."""
-    return Presentation(lambda J: factors * J, sentence, worthless=True)
+    return Presentation(lambda J: factors * J, sentence)
 
 
 def _matching(pattern: re.Pattern[str], units: NDArray[np.str_]) -> Mask:
@@ -117,16 +117,28 @@ def _matching(pattern: re.Pattern[str], units: NDArray[np.str_]) -> Mask:
     return np.array(found, dtype=bool).reshape(units.shape)
 
 
-def _found(asked: Asked, value: Array, right: Mask) -> Iterator[str]:
-    wanted = asked.wanted
+def _found(asked: Asked, value: Array, right: Mask) -> Iterator[Named]:
+    wanted, decimals = asked.wanted, asked.answer.decimals
+
+    def agrees(own: Array) -> bool:
+        return bool((np.abs(own - wanted.value) <= wanted.allowed).all())
+
     in_degrees = asked.in_degrees()
     if in_degrees is not None and bool((np.abs(value - in_degrees) <= wanted.allowed).all()):
-        yield TAKEN_AS_DEGREES
+        yield Named(TAKEN_AS_DEGREES, "presentation")
     elif _too_few_decimals(asked.answer, wanted.value, value):
-        yield f"It agrees after rounding to fewer decimals; {asked.answer.decimals} are asked."
+        sentence = f"It agrees after rounding to fewer decimals; {decimals} are asked."
+        yield Named(sentence, "slip", key="decimals")
     else:
         reversed_sign = np.abs(value + wanted.value) <= wanted.allowed
         yield from said_of_signs(~right & reversed_sign, ~right)
+        yield from said_of_exchanged(agrees, value)
+        yield from said_of_one_entry(right)
+
+
+def _priced(answer: Numbers, value: Array) -> bool:
+    """Whether there are decimals, and a number that is none of -1, 0 and 1."""
+    return answer.decimals > 0 and not is_trivial(value, 0.0).all()
 
 
 def _too_few_decimals(answer: Numbers, reference: Array, value: Array) -> bool:
@@ -150,4 +162,5 @@ MARKER = Marker(
     has_blocks=_has_blocks,
     in_other_units=_in_other_units,
     found=_found,
+    priced=_priced,
 )

@@ -7,21 +7,24 @@ from math import pi
 import numpy as np
 
 from ...exercises.answers import TableOf, Variant
+from ...exercises.exercise import Fault
 from ...exercises.kinds.table import table_rows
 from ...solutions.chain import Array, Chain, ChainError, from_modified, from_standard
 from ...solutions.equivalence import Equivalence, equivalence
 from ...solutions.table import Table
+from .marker import Named
 
 THETA, D, A, ALPHA = range(4)
 QUARTER = pi / 2
+Change = Callable[[Array], Array]
 OTHER = {"standard": "modified", "modified": "standard"}
 
 
 @dataclass(frozen=True)
 class Repair:
-    """An edit of a table's rows (n, 4), and the sentence that says what it repairs."""
+    """An edit of a table's rows (n, 4), and what it says of the table that it mends."""
 
-    sentence: str
+    named: Named
     rows: Array
     convention: str
 
@@ -34,27 +37,27 @@ def describes_same_arm(answer: TableOf, v: Variant, reference: Table, own: Table
     return _agrees(answer, wanted, table_rows(own, v), own.convention)
 
 
-def repairs(answer: TableOf, v: Variant, reference: Table, own: Table) -> list[str]:
-    """Sentences of the single edits that make the arm's table of it; more than one cannot be told apart."""
+def repairs(answer: TableOf, v: Variant, reference: Table, own: Table) -> list[Named]:
+    """The single edits that make the arm's table of it; several cannot be told apart."""
     if own.kinds != answer.kinds:
         return list(_misplaced(answer.kinds, own.kinds))
     wanted = _chain(table_rows(reference, v), answer)
-    found = dict[str, Repair]()
+    found = dict[Named, Repair]()
     for repair in _edits(table_rows(own, v), answer):
-        if repair.sentence in found or any(_alike(repair, other) for other in found.values()):
+        if repair.named in found or any(_alike(repair, other) for other in found.values()):
             continue
         if _agrees(answer, wanted, repair.rows, repair.convention):
-            found[repair.sentence] = repair
+            found[repair.named] = repair
     return list(found)
 
 
-def _misplaced(wanted: str, own: str) -> Iterator[str]:
+def _misplaced(wanted: str, own: str) -> Iterator[Named]:
     """Joint variables that stand in the other column."""
     for i, (kind, other) in enumerate(zip(wanted, own, strict=True), 1):
         if kind == other:
             continue
         way = "turns: q{} belongs in theta" if kind == "R" else "slides: q{} belongs in d"
-        yield f"Row {i}: joint {i} {way.format(i)}."
+        yield Named(f"Row {i}: joint {i} {way.format(i)}.", "concept")
 
 
 def _alike(one: Repair, other: Repair) -> bool:
@@ -82,47 +85,51 @@ def _agrees(answer: TableOf, wanted: Chain, rows: Array, convention: str) -> boo
 
 def _edits(rows: Array, answer: TableOf) -> Iterator[Repair]:
     """Whole tables read otherwise, then every row with one thing in it mended."""
-    own = answer.convention
-    yield Repair(
-        f"This is the {OTHER[own]} table of the arm; the {own} one is asked.", rows, OTHER[own]
-    )
-    in_radians = rows.copy()
-    in_radians[:, ALPHA] = np.radians(rows[:, ALPHA])
-    yield Repair("The angles alpha are in degrees; radians are asked.", in_radians, own)
-    if np.count_nonzero(rows[:, ALPHA]) > 1:
-        reversed_twists = _edited(rows, slice(None), ALPHA, np.negative)
-        yield Repair("All angles alpha have the wrong sign.", reversed_twists, own)
+    own, other = answer.convention, OTHER[answer.convention]
+    modified = Named(f"This is the {other} table of the arm; the {own} one is asked.", "concept")
+    yield Repair(modified, rows, other)
+    for sentence, change in WHOLE:
+        if np.count_nonzero(rows[:, ALPHA]) > 1:
+            yield Repair(Named(sentence, "slip"), _edited(rows, slice(None), ALPHA, change), own)
     for i in range(len(rows)):
-        for sentence, column, change in EDITS:
-            edited = _edited(rows, i, column, change)
-            if not np.array_equal(edited, rows):
-                yield Repair(f"Row {i + 1}: {sentence}.", edited, own)
-        exchanged = rows.copy()
-        exchanged[i, [D, A]] = rows[i, [A, D]]
-        if rows[i, A] != rows[i, D]:
-            yield Repair(f"Row {i + 1}: a and d are exchanged.", exchanged, own)
+        yield from _edits_of_row(rows, i, own)
     for i in range(len(rows) - 1):
         exchanged = rows.copy()
         exchanged[[i, i + 1]] = rows[[i + 1, i]]
-        yield Repair(f"Rows {i + 1} and {i + 2} are exchanged.", exchanged, own)
+        yield Repair(Named(f"Rows {i + 1} and {i + 2} are exchanged.", "slip"), exchanged, own)
 
 
-def _edited(rows: Array, row: int | slice, column: int, change: Callable[[Array], Array]) -> Array:
+def _edits_of_row(rows: Array, i: int, convention: str) -> Iterator[Repair]:
+    for sentence, fault, column, change in EDITS:
+        edited = _edited(rows, i, column, change)
+        if not np.array_equal(edited, rows):
+            yield Repair(Named(f"Row {i + 1}: {sentence}.", fault), edited, convention)
+    exchanged = rows.copy()
+    exchanged[i, [D, A]] = rows[i, [A, D]]
+    if rows[i, A] != rows[i, D]:
+        yield Repair(Named(f"Row {i + 1}: a and d are exchanged.", "slip"), exchanged, convention)
+
+
+def _edited(rows: Array, row: int | slice, column: int, change: Change) -> Array:
     edited = rows.copy()
     edited[row, column] = change(rows[row, column])
     return edited
 
 
-EDITS: tuple[tuple[str, int, Callable[[Array], Array]], ...] = (
-    ("alpha has the wrong sign", ALPHA, np.negative),
-    ("alpha is a quarter turn off", ALPHA, lambda x: x + QUARTER),
-    ("alpha is a quarter turn off", ALPHA, lambda x: x - QUARTER),
-    ("alpha is half a turn off", ALPHA, lambda x: x + pi),
-    ("alpha is in degrees; radians are asked", ALPHA, np.radians),
-    ("theta is a quarter turn off", THETA, lambda x: x + QUARTER),
-    ("theta is a quarter turn off", THETA, lambda x: x - QUARTER),
-    ("theta is half a turn off", THETA, lambda x: x + pi),
-    ("a has the wrong sign", A, np.negative),
-    ("d has the wrong sign", D, np.negative),
+WHOLE: tuple[tuple[str, Change], ...] = (
+    ("The angles alpha are in degrees; radians are asked.", np.radians),
+    ("All angles alpha have the wrong sign.", np.negative),
 )
-"""What may be wrong in one row, and what mends it."""
+EDITS: tuple[tuple[str, Fault, int, Change], ...] = (
+    ("alpha has the wrong sign", "slip", ALPHA, np.negative),
+    ("alpha is a quarter turn off", "concept", ALPHA, lambda x: x + QUARTER),
+    ("alpha is a quarter turn off", "concept", ALPHA, lambda x: x - QUARTER),
+    ("alpha is half a turn off", "concept", ALPHA, lambda x: x + pi),
+    ("alpha is in degrees; radians are asked", "slip", ALPHA, np.radians),
+    ("theta is a quarter turn off", "concept", THETA, lambda x: x + QUARTER),
+    ("theta is a quarter turn off", "concept", THETA, lambda x: x - QUARTER),
+    ("theta is half a turn off", "concept", THETA, lambda x: x + pi),
+    ("a has the wrong sign", "slip", A, np.negative),
+    ("d has the wrong sign", "slip", D, np.negative),
+)
+"""What may be wrong in one row, what kind of mistake it is, and what mends it."""

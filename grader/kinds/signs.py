@@ -1,17 +1,19 @@
-"""A sign that is wrong and nothing else, in a sentence."""
+"""What is wrong with few entries and nothing else: a sign, a copied number, two lines exchanged."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from itertools import combinations
 
 import numpy as np
 
 from ..reading.unreadable import entries_named
-from .marker import Mask
+from .marker import Array, Mask, Named
 
+LEAST_ENTRIES = 4  # of an answer, for a single wrong one to be a slip
 MOST_PLACES = 3  # of entries with a wrong sign that are named
 
 
-def said_of_signs(flipped: Mask, wrong: Mask) -> Iterator[str]:
-    """The sentence where entries with a reversed sign are all that is wrong, and few.
+def said_of_signs(flipped: Mask, wrong: Mask) -> Iterator[Named]:
+    """The name where entries with a reversed sign are all that is wrong, and few.
 
     `flipped` has the wrong entries that are right with the other sign.
     """
@@ -19,9 +21,30 @@ def said_of_signs(flipped: Mask, wrong: Mask) -> Iterator[str]:
     if not few or not flipped.any() or (flipped != wrong).any():
         return
     if flipped.ndim == 0:
-        yield "Only a sign is wrong."
+        yield Named("Only a sign is wrong.", "slip")
     else:
-        yield f"Only a sign is wrong: {_places(flipped)}."
+        yield Named(f"Only a sign is wrong: {_places(flipped)}.", "slip")
+
+
+def said_of_one_entry(right: Mask) -> Iterator[Named]:
+    """The name where a single entry of several is wrong, whatever stands there."""
+    if right.size >= LEAST_ENTRIES and (~right).sum() == 1:
+        place = entries_named(~right, 1)
+        yield Named(f"Only {place} is wrong; all the rest is right.", "slip")
+
+
+def said_of_exchanged(agrees: Callable[[Array], bool], own: Array) -> Iterator[Named]:
+    """The name where two rows or two columns are exchanged; `agrees` looks at a whole array."""
+    if own.ndim != 2:
+        return
+    for axis, line in ((0, "Rows"), (1, "Columns")):
+        for i, j in combinations(range(own.shape[axis]), 2):
+            order = np.arange(own.shape[axis])
+            order[[i, j]] = (j, i)
+            exchanged = np.take(own, order, axis=axis)
+            if agrees(exchanged):
+                yield Named(f"{line} {i + 1} and {j + 1} are exchanged.", "slip")
+                return
 
 
 def _places(flipped: Mask) -> str:

@@ -1,6 +1,6 @@
 """Denavit-Hartenberg tables: formulas in the sheet's names, or numbers at the student's own q."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any, cast
 
 import numpy as np
@@ -16,8 +16,11 @@ from ...solutions.table import COLUMNS, Table, read_table
 from ..collecting.wire import Raw
 from ..reading.typed import typed
 from ..reading.unreadable import Unreadable, clip, misread
-from .marker import Marker, Mask, Wanted, is_trivial
+from .marker import Asked, Comparison, Marker, Mask, Named, Wanted, is_trivial
+from .same_arm import describes_same_arm, repairs
+from .signs import said_of_one_entry
 
+SAME_ARM = "Your frames stand otherwise than in the solution; your table is one of the same arm."
 THETA = 0
 ANGLES = (0, 3)  # columns theta and alpha of a table
 DUST = 1e-12
@@ -128,7 +131,15 @@ def _complete(row: list[str], at: int, joint: int, v: Variant) -> None:
         row[at] = f"q{joint + 1} + ({_typed(round(offset, 9))})"
 
 
-def _compared(answer: TableOf, v: Variant, wanted: Wanted, value: Table) -> Mask:
+def _compared(answer: TableOf, v: Variant, wanted: Wanted, value: Table) -> Mask | Comparison:
+    """Cell by cell; another table of the same arm is right as a whole."""
+    right = _right_cells(answer, v, wanted, value)
+    if right.all() or not describes_same_arm(answer, v, wanted.value, value):
+        return right
+    return Comparison(np.ones_like(right), 1.0, reading=SAME_ARM)
+
+
+def _right_cells(answer: TableOf, v: Variant, wanted: Wanted, value: Table) -> Mask:
     """Cells with the reference's value at three configurations; angles up to full turns."""
     half = 0.5 * 10.0**-answer.decimals
     allowed = np.array([4 * half, 6 * half, 6 * half, 4 * half])
@@ -146,6 +157,17 @@ def _trivial(answer: TableOf, wanted: Wanted, v: Variant) -> Mask:
     return is_trivial(answer.pictured(wanted.value, v), 0.0)
 
 
+def _found(asked: Asked, value: Table, right: Mask) -> Iterator[Named]:
+    """The single edits that mend the table; several that cannot be told apart are said together."""
+    found = repairs(asked.answer, asked.v, asked.wanted.value, value)
+    if not found:
+        yield from said_of_one_entry(right)
+        return
+    faults = {repair.fault for repair in found}
+    sentence = " Or: ".join(repair.sentence for repair in found)
+    yield Named(sentence, "slip" if faults == {"slip"} else "concept")
+
+
 MARKER = Marker(
     read_dh_table,
     _compared,
@@ -154,4 +176,6 @@ MARKER = Marker(
     trivial=_trivial,
     varies=True,
     by_rows=True,
+    found=_found,
+    priced=lambda *_: True,
 )

@@ -9,8 +9,9 @@ import numpy as np
 
 from ...exercises.answers import Numbers, Variant
 from ...exercises.exercise import Exercise, Given, Part, references, solve
-from ..kinds.marker import Mask, Wanted
+from ..kinds.marker import Mask, Named, Wanted
 from ..kinds.markers import marker_of
+from .misread import Way, misread
 from .tolerance import tolerance
 
 SAMPLE = 12  # draws that decide which entries vary between students
@@ -48,7 +49,8 @@ class AnswerKey:
             name: remembering(value) for name, value in references(exercise, v).items()
         }
         self._wanted: dict[str, Wanted] = {}
-        self._mistaken: dict[str, list[tuple[str, Wanted]]] = {}
+        self._mistaken: dict[str, list[tuple[Named, Wanted]]] = {}
+        self._misread: dict[str, list[tuple[Named, Wanted]]] = {}
         self._earning: dict[str, Mask] = {}
 
     def wanted(self, part: Part) -> Wanted:
@@ -60,23 +62,44 @@ class AnswerKey:
             )
         return self._wanted[part.variable]
 
-    def mistaken(self, part: Part, wanted: Wanted) -> list[tuple[str, Wanted]]:
-        """The sentence of each known mistake, and what it leads to from the same earlier answers."""
+    def mistaken(self, part: Part, wanted: Wanted) -> list[tuple[Named, Wanted]]:
+        """Each known mistake, and what it leads to from the same earlier answers."""
         if wanted is not self._wanted.get(part.variable):
             return self._mistakes(part, wanted)
         if part.variable not in self._mistaken:
             self._mistaken[part.variable] = self._mistakes(part, wanted)
         return self._mistaken[part.variable]
 
-    def _mistakes(self, part: Part, wanted: Wanted) -> list[tuple[str, Wanted]]:
-        return [
-            (
-                mistake.sentence,
-                replace(wanted, value=remembering(part.answer.declared(value, self.v))),
-            )
-            for mistake in part.mistakes
-            for value in [mistake.solve(self.v, wanted.given)]
-        ]
+    def _mistakes(self, part: Part, wanted: Wanted) -> list[tuple[Named, Wanted]]:
+        found: list[tuple[Named, Wanted]] = []
+        for mistake in part.mistakes:
+            value = part.answer.declared(mistake.solve(self.v, wanted.given), self.v)
+            named = Named(mistake.sentence, mistake.fault)
+            found.append((named, replace(wanted, value=remembering(value))))
+        return found
+
+    def misread(self, part: Part, wanted: Wanted) -> list[tuple[Named, Wanted]]:
+        """What comes out where printed numbers are taken otherwise, from the same earlier answers."""
+        if wanted is not self._wanted.get(part.variable):
+            return self._misreadings(part, wanted)
+        if part.variable not in self._misread:
+            self._misread[part.variable] = self._misreadings(part, wanted)
+        return self._misread[part.variable]
+
+    def _misreadings(self, part: Part, wanted: Wanted) -> list[tuple[Named, Wanted]]:
+        found: list[tuple[Named, Wanted]] = []
+        for sentence, fault, v in self._ways:
+            try:
+                with np.errstate(all="ignore"):
+                    value = solve(self.exercise.slug, part, v, wanted.given)
+            except Exception:  # noqa: BLE001, S112 - an exercise may refuse such numbers in any way
+                continue
+            found.append((Named(sentence, fault), replace(wanted, value=value)))
+        return found
+
+    @cached_property
+    def _ways(self) -> list[Way]:
+        return misread(self.exercise, self.v)
 
     @cached_property
     def in_degrees(self) -> dict[str, Any]:

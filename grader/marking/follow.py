@@ -1,4 +1,4 @@
-"""When may an answer be judged from the student's own earlier answers? Not from copied, guessed or easier data."""
+"""When may an answer be judged from own earlier answers? Not from copied, made-up or easier data."""
 
 from collections.abc import Mapping
 from typing import Any, cast
@@ -11,8 +11,11 @@ from ...solutions.expression_array import ExpressionArray, sample
 
 Others = Mapping[str, Mapping[str, Any]]
 """Student to the recorded reference answers of that student's variant of the same exercise."""
+Peers = Mapping[str, Mapping[str, Any]]
+"""Student to what that student handed in for the same exercise, as nested lists."""
 SAME = 2e-3  # two answers this close in every entry were not computed from different numbers
-TELLING = 5  # different numbers that an answer takes to tell whose it is: a joint axis alone is shared by many
+TELLING = 5  # different numbers that tell whose an answer is: a joint axis is shared by many
+RELATED = 0.25  # of an answer's numbers: by chance fewer are among those of the reference
 MOST_ZEROS = 0.25
 
 
@@ -51,6 +54,53 @@ def owner_of(part: Part, answer: Any, others: Others) -> str:
     return ""
 
 
-def _different_numbers(array: Any) -> int:
+def shared_with(part: Part, answer: Any, reference: Any, peers: Peers) -> str:
+    """A student who handed in the same wrong numbers; empty where there is none, or it cannot tell.
+
+    Every student has other numbers, so equal wrong ones were not computed. Only those count that
+    are not the right ones of this student.
+    """
+    if not isinstance(part.answer, Numbers):
+        return ""
+    wrong = np.abs(answer - reference) > SAME
+    if _different_numbers(np.where(wrong, answer, 0.0)) < TELLING:
+        return ""
+    for student, answers in peers.items():
+        theirs = _array(answers.get(part.variable))
+        if theirs is None or theirs.shape != answer.shape:
+            continue
+        if np.abs(theirs - answer)[wrong].max() <= SAME:
+            return student
+    return ""
+
+
+def _array(value: Any) -> NDArray[np.float64] | None:
+    """What was handed in as an array; None where it is none."""
+    try:
+        return np.asarray(value, dtype=np.float64)
+    except (TypeError, ValueError):
+        return None
+
+
+def is_unrelated(part: Part, reference: Any, answer: Any) -> bool:
+    """Whether hardly any number of an answer is one of the reference, whatever its sign and place.
+
+    An honest mistake leaves some numbers of one's own arm; numbers that are made up have none.
+    """
+    if not isinstance(part.answer, Numbers):
+        return False
+    own, wanted = _sizes(answer), _sizes(reference)
+    if len(own) < 2 or not len(wanted):
+        return False
+    apart = np.abs(own[:, None] - wanted).min(axis=1)
+    return bool((apart <= SAME).mean() < RELATED)
+
+
+def _sizes(array: Any) -> NDArray[np.float64]:
+    """The sizes of an array's numbers, without those that are common to everybody."""
     sizes = np.unique(np.round(np.abs(np.asarray(array, dtype=np.float64)), 4))
-    return int(((sizes != 0) & (sizes != 1)).sum())
+    return sizes[(sizes != 0) & (sizes != 1)]
+
+
+def _different_numbers(array: Any) -> int:
+    return len(_sizes(array))

@@ -10,11 +10,10 @@ from ..kinds.marker import Comparison, Wanted
 from ..kinds.markers import marker_of
 from .answer_key import AnswerKey
 from .compare import compare, shared
-from .findings import presentation
 
 
 def judged(key: AnswerKey, part: Part, wanted: Wanted, value: Any) -> Comparison:
-    """A readable answer against what is wanted; a presentation that earns nothing by chance has no share."""
+    """A readable answer against what is wanted."""
     found = compare(key, part, wanted, value)
     if part.check:
         outcome = part.check(key.v, wanted.given, value)
@@ -23,10 +22,6 @@ def judged(key: AnswerKey, part: Part, wanted: Wanted, value: Any) -> Comparison
         found = replace(found, findings=(*said, *found.findings), reading=outcome.reading)
         if outcome.share is not None:
             found = replace(found, share=outcome.share)
-    if 0 < found.share < 1:
-        known = presentation(key, part, wanted, value)
-        if known and known.worthless:
-            return replace(found, share=0.0)
     return found
 
 

@@ -1,8 +1,8 @@
-"""One exercise of one student: readable, right from the reference, or right from the student's own earlier answers."""
+"""One exercise of one student: right, right from the student's own answers, or wrong with a name."""
 
 import logging
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -10,33 +10,59 @@ import numpy as np
 from ...exercises.answers import Manual, Numbers
 from ...exercises.exercise import Exercise, Part, Variant
 from ..collecting.wire import Raw
-from ..kinds.marker import Comparison, Wanted
+from ..kinds.marker import Comparison, Named, Wanted
 from ..kinds.markers import marker_of, read
 from ..reading.unreadable import UNANSWERED, Unreadable
 from .answer_key import AnswerKey
-from .findings import findings
-from .follow import Others, is_trivial, owner_of, zeros_pass
+from .findings import named
+from .follow import Others, Peers, is_trivial, is_unrelated, owner_of, shared_with, zeros_pass
 from .judge import judged
-from .verdict import Finding, Verdict, not_graded
+from .price import Bill
+from .verdict import Finding, Status, Verdict, not_graded
 
 MOST_TEXT = 400  # of a sentence that repeats what a student's process said
-LEAST_FOLLOWED = (
-    0.5  # of the points: less is right by chance, and what is computed from it is no achievement
-)
+HALF = 0.5  # of the points: what has earned less, and has no name, may be made up
 UNASKED = "Your answer is kept; the exercise cannot call a function yet: "
 BY_HAND = "It is marked by hand."
 OUR_FAILURE = "The grader failed on this part; your answer is kept."
+OF_ANOTHER = "it is right for another student's numbers"
+SHARED = "another student has the same numbers, and yours are drawn for you alone"
+UNRELATED = "hardly any of its numbers comes out of yours"
+EASIER = "that would make this part easier than it is"
 log = logging.getLogger(__name__)
 
 
 @dataclass(frozen=True)
 class _Sheet:
-    """What marking one exercise of one student refers to: the key and the answers that could be read."""
+    """What marking one exercise of one student refers to, and what was found so far.
+
+    Attributes:
+        key: What answers are compared with.
+        bill: What was charged for already, on the whole sheet.
+        others: The reference answers of other students.
+        peers: What other students handed in.
+        answers: Those that could be read.
+        verdicts: Of all parts so far.
+        unfollowed: Parts from which nothing follows, each with the reason.
+    """
 
     key: AnswerKey
-    answers: dict[str, Any]
-    verdicts: dict[str, Verdict]
-    unfollowed: set[str]
+    bill: Bill
+    others: Others
+    peers: Peers
+    answers: dict[str, Any] = field(default_factory=dict[str, Any])
+    verdicts: dict[str, Verdict] = field(default_factory=dict[str, Verdict])
+    unfollowed: dict[str, str] = field(default_factory=dict[str, str])
+
+
+@dataclass(frozen=True)
+class _Judged:
+    """An answer against what is wanted: the comparison, what explains it, and what it is worth."""
+
+    found: Comparison
+    names: tuple[Named, ...]
+    share: float
+    notes: tuple[str, ...]
 
 
 def mark(
@@ -45,19 +71,24 @@ def mark(
     raws: Mapping[str, Raw],
     others: Others | None = None,
     key: AnswerKey | None = None,
+    *,
+    peers: Peers | None = None,
+    bill: Bill | None = None,
 ) -> list[Verdict]:
-    """A verdict for every asked part. A failure of ours in one part leaves that part `not_graded` and no other.
+    """A verdict for every asked part. A failure of ours leaves that part `not_graded` and no other.
 
-    Nothing follows from a wrong answer that is the right one of somebody in `others`. A `key` that was made for the
-    same variant saves making it again.
+    Nothing follows from a wrong answer that is the right one of somebody in `others`, or that
+    somebody in `peers` handed in, too. A `key` that was made for the same variant saves making it
+    again. A `bill` that goes on from exercise to exercise charges a mistake once a sheet.
     """
-    sheet = _Sheet(key or AnswerKey(exercise, v), {}, {}, set())
+    sheet = _Sheet(key or AnswerKey(exercise, v), bill or Bill(), others or {}, peers or {})
     for part in exercise.asked:
         raw = raws.get(part.variable, Raw("missing"))
         if isinstance(part.answer, Manual):
-            sheet.verdicts[part.variable] = _by_hand(part, raw, v)
-            continue
-        sheet.verdicts[part.variable] = _mark_raw(sheet, part, raw, others or {})
+            verdict = _by_hand(part, raw, v)
+        else:
+            verdict = _mark_raw(sheet, part, raw)
+        sheet.verdicts[part.variable] = verdict
     return [
         _with_note(verdict, raws.get(name, Raw("missing")))
         for name, verdict in sheet.verdicts.items()
@@ -66,34 +97,45 @@ def mark(
 
 def mark_part(key: AnswerKey, part: Part, raw: Raw) -> Verdict:
     """The verdict of one part by itself: nothing follows from other answers."""
-    return _mark_raw(_Sheet(key, {}, {}, set()), part, raw, {})
+    return _mark_raw(_Sheet(key, Bill(), {}, {}), part, raw)
 
 
-def _mark_raw(sheet: _Sheet, part: Part, raw: Raw, others: Others) -> Verdict:
+def _mark_raw(sheet: _Sheet, part: Part, raw: Raw) -> Verdict:
     if raw.kind == "unasked":
         return not_graded(part.variable, part.points, f"{UNASKED}{raw.value}.")
     answer, unjudged = _read(part, raw, sheet.key.v)
     if unjudged:
         return unjudged
-    verdict = _mark_readable(sheet, part, answer, others)
+    verdict = _mark_readable(sheet, part, answer)
     sheet.answers[part.variable] = answer
-    reading = " ".join(
-        filter(None, (marker_of(part.answer).read_as(part.answer, raw, answer), verdict.reading))
-    )
-    return replace(verdict, reading=reading)
+    read_as = marker_of(part.answer).read_as(part.answer, raw, answer)
+    return replace(verdict, reading=" ".join(filter(None, (read_as, verdict.reading))))
 
 
-def _mark_readable(sheet: _Sheet, part: Part, answer: Any, others: Others) -> Verdict:
+def _mark_readable(sheet: _Sheet, part: Part, answer: Any) -> Verdict:
+    """The verdict of an answer that was read, with a note for the instructor on whose it may be."""
     try:
         verdict = _verdict(sheet, part, answer)
     except Exception:
         log.exception("%s could not be marked", part.variable)
         verdict = not_graded(part.variable, part.points, OUR_FAILURE)
-    if verdict.status != "correct" and (owner := owner_of(part, answer, others)):
-        sheet.unfollowed.add(part.variable)
-        found = Finding(f"This is the reference answer of {owner}'s variant.", private=True)
-        verdict = replace(verdict, findings=(*verdict.findings, found))
+    if verdict.status == "correct":
+        return verdict
+    owner = owner_of(part, answer, sheet.others)
+    if owner:
+        sheet.unfollowed[part.variable] = OF_ANOTHER
+        return _with_finding(
+            verdict, f"This is the reference answer of {owner}'s variant.", private=True
+        )
+    peer = shared_with(part, answer, sheet.key.reference[part.variable], sheet.peers)
+    if peer:
+        sheet.unfollowed[part.variable] = SHARED
+        return _with_finding(verdict, f"{peer} handed in the same numbers.", private=True)
     return verdict
+
+
+def _with_finding(verdict: Verdict, text: str, *, private: bool = False) -> Verdict:
+    return replace(verdict, findings=(*verdict.findings, Finding(text, private)))
 
 
 def _by_hand(part: Part, raw: Raw, v: Variant) -> Verdict:
@@ -118,11 +160,9 @@ def _read(part: Part, raw: Raw, v: Variant) -> tuple[Any, Verdict | None]:
 
 def _with_note(verdict: Verdict, raw: Raw) -> Verdict:
     """The verdict, with how the cell ended that left the value behind."""
-    if not raw.note or verdict.status not in ("correct", "incorrect", "partly"):
+    if not raw.note or verdict.status not in ("correct", "incorrect", "partly", "follows"):
         return verdict
-    return replace(
-        verdict, findings=(*verdict.findings, Finding(f"In your file: {raw.note[:MOST_TEXT]}."))
-    )
+    return _with_finding(verdict, f"In your file: {raw.note[:MOST_TEXT]}.")
 
 
 def _unreadable(part: Part, raw: Raw, sentence: str) -> Verdict:
@@ -134,79 +174,114 @@ def _unreadable(part: Part, raw: Raw, sentence: str) -> Verdict:
         )
     said, *typed = sentence[:MOST_TEXT].split("\n")
     stop = "" if said.endswith(("?", ".")) else "."
-    said = (
-        f"In your file: {said}{stop}"
-        if raw.kind == "error"
-        else f"{said[:1].upper()}{said[1:]}{stop}"
-    )
+    if raw.kind == "error":
+        said = f"In your file: {said}{stop}"
+    else:
+        said = f"{said[:1].upper()}{said[1:]}{stop}"
     text = "\n".join([said, *typed])
     return Verdict(part.variable, "failed", 0.0, part.points, (Finding(text),))
 
 
 def _verdict(sheet: _Sheet, part: Part, answer: Any) -> Verdict:
-    wanted = sheet.key.wanted(part)
-    found = judged(sheet.key, part, wanted, answer)
-    verdict = _written(part, found, answer)
-    if verdict.status == "correct":
-        return verdict
-    named = tuple(findings(sheet.key, part, wanted, answer, found.right))
-    if not named and found.share < LEAST_FOLLOWED:
-        sheet.unfollowed.add(part.variable)
-    followed = _follow(sheet, part, answer)
-    if followed and (followed.points or 0) > (verdict.points or 0):
-        sheet.unfollowed.discard(part.variable)
-        return followed
-    return replace(verdict, findings=(*verdict.findings, *(() if found.reading else named)))
-
-
-def _written(part: Part, found: Comparison, answer: Any) -> Verdict:
-    status = "correct" if found.all_right else "partly" if found.share > 0 else "incorrect"
-    noted = tuple(map(Finding, found.findings)) if status != "correct" else ()
-    right: Any = found.right.tolist() if hasattr(found.right, "tolist") else found.right
-    points = round(part.points * found.share, 2)
-    return Verdict(
-        part.variable,
-        status,
-        points,
-        part.points,
-        noted,
-        found.reading,
-        right,
-        marker_of(part.answer).shown(answer),
-    )
-
-
-def _follow(sheet: _Sheet, part: Part, answer: Any) -> Verdict | None:
-    """The verdict against what follows from the student's own earlier answers; None where nothing follows.
-
-    Answers that were accepted though they differ from the reference keep the full share; wrong ones earn `follow`.
-    """
+    """The better of two: against the reference, and against what follows from own answers."""
     key = sheet.key
+    own = _judge(sheet, part, key.wanted(part), answer)
+    if own.found.all_right:
+        return _written(part, own, answer, "correct")
+    why = _unfollowed(sheet, part)
+    wanted = None if why else _following(sheet, part)
+    if wanted is not None and _is_easier(key, part, wanted):
+        why, wanted = f"from your own {_wrong(sheet, part)}: {EASIER}", None
+    if wanted is not None:
+        followed = _followed(sheet, part, wanted, answer)
+        if followed is not None and followed.share * part.follow > own.share:
+            return _written_following(sheet, part, followed, answer)
+    reference = key.reference[part.variable]
+    if not own.names and own.share < HALF and is_unrelated(part, reference, answer):
+        sheet.unfollowed[part.variable] = UNRELATED
+    verdict = _written(part, own, answer)
+    return _with_finding(verdict, f"Nothing follows {why}.") if why else verdict
+
+
+def _judge(sheet: _Sheet, part: Part, wanted: Wanted, answer: Any) -> _Judged:
+    """An answer compared, explained and priced; the bill is written when the verdict is."""
+    found = judged(sheet.key, part, wanted, answer)
+    if found.all_right:
+        return _Judged(found, (), 1.0, ())
+    names = tuple(named(sheet.key, part, wanted, answer, found.right))
+    if not names:
+        return _Judged(found, (), found.share, found.findings)
+    share, before = sheet.bill.share(part, names[0], answer)
+    notes = found.findings
+    if not found.reading:
+        notes = (*notes, *(name.sentence for name in names))
+    if before and share > found.share:
+        notes = (*notes, f"It was charged in {before} already.")
+    return _Judged(found, names, max(found.share, share), notes)
+
+
+def _written(
+    part: Part, own: _Judged, answer: Any, status: Status | None = None, follow: float = 1.0
+) -> Verdict:
+    found = own.found
+    if status is None:
+        status = "partly" if own.share > 0 else "incorrect"
+    right: Any = found.right.tolist() if hasattr(found.right, "tolist") else found.right
+    points = round(part.points * own.share * follow, 2)
+    notes = () if status == "correct" else tuple(map(Finding, own.notes))
+    shown = marker_of(part.answer).shown(answer)
+    return Verdict(part.variable, status, points, part.points, notes, found.reading, right, shown)
+
+
+def _unfollowed(sheet: _Sheet, part: Part) -> str:
+    """Why nothing follows from an own answer that the part needs; empty where it may."""
+    for name in part.needs:
+        if name in sheet.unfollowed:
+            return f"from your own {name}: {sheet.unfollowed[name]}"
+    return ""
+
+
+def _following(sheet: _Sheet, part: Part) -> Wanted | None:
+    """What follows from the student's own earlier answers; None where nothing does."""
     own = [name for name in part.needs if name in sheet.answers]
-    if not own or part.follow == 0 or sheet.unfollowed & set(own):
+    if not own or part.follow == 0:
         return None
-    given = {name: sheet.answers.get(name, key.reference[name]) for name in part.needs}
+    given = {name: sheet.answers.get(name, sheet.key.reference[name]) for name in part.needs}
     try:
         with np.errstate(all="ignore"):
-            wanted = key.following(part, given)
-            if _is_easier(key, part, wanted):
-                return None
-            found = judged(key, part, wanted, answer)
-            if found.share < LEAST_FOLLOWED:
-                return None
-            verdict = _written(part, found, answer)
-    except Exception:  # noqa: BLE001 - solve() on a student's data may fail in any way; then nothing follows from it
+            return sheet.key.following(part, given)
+    except Exception:  # noqa: BLE001 - solve() on a student's data may fail in any way
         return None
-    wrong = " and ".join(name for name in own if sheet.verdicts[name].status != "correct")
+
+
+def _followed(sheet: _Sheet, part: Part, wanted: Wanted, answer: Any) -> _Judged | None:
+    try:
+        with np.errstate(all="ignore"):
+            return _judge(sheet, part, wanted, answer)
+    except Exception:  # noqa: BLE001 - so may a part's own check
+        return None
+
+
+def _written_following(sheet: _Sheet, part: Part, followed: _Judged, answer: Any) -> Verdict:
+    """The verdict of what follows from own answers.
+
+    Answers that were accepted though they differ from the reference keep the full share; wrong ones
+    earn `follow` of it.
+    """
+    wrong = _wrong(sheet, part)
+    all_right = followed.found.all_right
     if not wrong:
-        return verdict
-    all_right = verdict.status == "correct"
-    noted = Finding(
-        f"{'It follows' if all_right else 'The entries marked right follow'} from your own {wrong}."
-    )
-    status = "partly" if all_right and part.follow < 1 else verdict.status
-    points = round((verdict.points or 0.0) * part.follow, 2)
-    return replace(verdict, status=status, points=points, findings=(*verdict.findings, noted))
+        return _written(part, followed, answer, "correct" if all_right else None)
+    status = "follows" if all_right and part.follow == 1 else None
+    verdict = _written(part, followed, answer, status, part.follow)
+    says = "It follows" if all_right else "The entries marked right follow"
+    return _with_finding(verdict, f"{says} from your own {wrong}.")
+
+
+def _wrong(sheet: _Sheet, part: Part) -> str:
+    """The own answers that the part needs and that are not right."""
+    own = [name for name in part.needs if name in sheet.answers]
+    return " and ".join(name for name in own if sheet.verdicts[name].status != "correct")
 
 
 def _is_easier(key: AnswerKey, part: Part, wanted: Wanted) -> bool:

@@ -3,10 +3,11 @@
 from dataclasses import asdict, dataclass
 from typing import Any, Literal
 
-Status = Literal["correct", "partly", "incorrect", "missing", "failed", "not_graded"]
+Status = Literal["correct", "follows", "partly", "incorrect", "missing", "failed", "not_graded"]
 """`failed` is the submission's own fault, with the reason; `not_graded` is ours or unfinished, and never a zero."""
 STATUS_WORDS: dict[Status, str] = {
     "correct": "correct",
+    "follows": "right from your own answers",
     "partly": "partly correct",
     "incorrect": "incorrect",
     "missing": "not answered",
