@@ -1,5 +1,5 @@
 # pyright: basic
-"""The task block of a robot where its entries are shortest: in the axes, for the point that suit.
+"""The task block of a robot, in the axes and for the point that make it shortest.
 
 Places are numbered along the arm: 0 is the base, 1 to n are the joints, n + 1 is the tool.
 """
@@ -67,7 +67,10 @@ def _jacobians(robot: Robot) -> list[Block]:
 
 
 def _is_split(J: Block) -> bool:
-    """Whether the wrist, the last three joints, leaves the point of J where it is."""
+    """Whether the wrist, the last three joints, leaves the point of J where it is.
+
+    J is then block triangular, and its determinant that of the arm times that of the wrist.
+    """
     return not any(J[row][column].terms for row, column in product(LINEAR, ANGULAR))
 
 
@@ -156,8 +159,7 @@ def _moved(p: Vector, direction: Vector, length: Polynomial) -> Vector:
 
 
 def _turned(R: Rows, axis: str, amount: sp.Expr) -> Rows:
-    # One angle after the other, so that only cosines and sines of single angles come up: those of
-    # the half angles' tangents.
+    # One angle after the other: half angles take cosines and sines of single angles, not of sums.
     for angle in sp.Add.make_args(amount):
         if angle:
             R = times(R, rotation(axis, angle))

@@ -75,15 +75,17 @@ class HalfAngles:
     def trigonometric(self, powers: Powers) -> Iterator[tuple[sp.Expr, sp.Expr, int]]:
         """Numbers, primitive factors in cosines and sines of angle sums, and powers.
 
-        They multiply to what `factored` returned as `powers`. Factors of odd degree in a tangent,
-        as the t + 1 and t - 1 of cos q, are multiplied until they are even: all that share such a
-        tangent, or one of them squared.
+        They multiply to what `factored` returned as `powers`. A factor of odd degree in t leaves a
+        cos(q/2) over, as sin q has 2 t at zero and t = infinity, and cos q has 1 + t and 1 - t. So
+        they are multiplied until they are even: all that share such a tangent, or one of them
+        squared.
         """
         left = {part: count for part, count in powers.items() if count}
         while left:
             group = self._linked(left)
             repeated = 1
             if self._odd_together(group):
+                # All that is left is even, so one of the group is left twice.
                 group = [_first_repeated(group, left)]
                 repeated = 2
             count = min(left[part] for part in group) // repeated
