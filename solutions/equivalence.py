@@ -13,7 +13,7 @@ import numpy as np
 
 from .chain import Array, Chain, ChainError, elementary
 from .gauges.gauge import Gauge, wrapped
-from .gauges.search import REVERSAL, Difference, Given, Search
+from .gauges.search import Difference, Given, Search, kept_or_reversed
 from .kinematics import forward
 from .rotation import inverse_transform
 
@@ -44,8 +44,9 @@ def equivalence(
 ) -> Equivalence | Difference:
     """How the second chain is the first with frames placed otherwise, or where they differ.
 
-    Of several equivalences the one with the fewest reversed senses and smallest offsets. `angle`
-    [rad] and `length` [m] are how far angles and distances may be off, which rounded tables need.
+    Of several equivalences it is the one with the fewest reversed senses and smallest offsets.
+    `angle` [rad] and `length` [m] are how far angles and distances may be off, which rounded
+    tables need.
 
     Raises:
         ChainError: the chains have no joints of the same number and types, in order.
@@ -87,14 +88,16 @@ def _believed(search: Search, gauge: Gauge) -> Equivalence | None:
     if search.given.zero and not _at_zero(search, offsets):
         search.note(n + 1, "the home pose has other joint values")
         return None
-    return found if _holds(search, found) else None
+    if not _holds(search, found):
+        return None
+    return found
 
 
 def _base(search: Search, sign: float, moved: list[float], angle: float) -> Array:
     """B, where the first gauge is reversed or not, slid along the free directions, and turned."""
-    turn = np.eye(3) if sign > 0 else REVERSAL
-    shift = np.array([0.0] * (3 - len(moved)) + moved)
-    start = _transform(turn, shift) @ elementary("Rz", angle)
+    shift = np.zeros(3)
+    shift[3 - len(moved) :] = moved  # along z alone, or along x, y and z
+    start = _transform(kept_or_reversed(sign), shift) @ elementary("Rz", angle)
     return (
         search.second.fixed[0] @ inverse_transform(start) @ inverse_transform(search.first.fixed[0])
     )

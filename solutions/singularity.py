@@ -1,13 +1,17 @@
-"""Where a Jacobian block loses rank: its singular values, and the zero set of each factor of its determinant."""
+"""Where a Jacobian block loses rank.
 
-from collections.abc import Callable, Mapping, Sequence
+Its singular values tell, and the zero set of each factor of its determinant.
+"""
+
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .chain import Chain
+from .contours import Lines, Values, trace
 from .errors import KinegradeError
 from .expression import parse
 from .jacobian import jacobian
@@ -16,13 +20,28 @@ from .kinematics import frames
 if TYPE_CHECKING:
     from .robots import Factor, Robot
 
-RANK_TOLERANCE = 1e-9
+__all__ = [
+    "RANK_TOLERANCE",
+    "Parameters",
+    "RegionalArm",
+    "SingularityError",
+    "Values",
+    "arm",
+    "factor_values",
+    "manipulability",
+    "rank",
+    "sigma_min",
+    "singular_values",
+    "task_block",
+    "trace",
+    "zero_set",
+]
 
-Values = NDArray[np.float64]
+RANK_TOLERANCE = 1e-9
+WRIST = {"q4", "q5", "q6"}
+
 Parameters = Mapping[str, float] | None
 Ranges = Sequence[tuple[float, float]]
-Lines = tuple[Values, ...]
-ScalarField = Callable[[Values, Values], Values]
 
 
 class SingularityError(KinegradeError):
@@ -31,7 +50,9 @@ class SingularityError(KinegradeError):
 
 @dataclass(frozen=True, eq=False)
 class RegionalArm:
-    """The joints whose singularities are drawn: a whole short robot, or the three that carry a wrist centre.
+    """The joints whose singularities are drawn.
+
+    They are a whole short robot, or the three joints that carry a wrist centre.
 
     Attributes:
         chain: Those joints; its tool is the `point`.
@@ -55,22 +76,32 @@ def singular_values(block: ArrayLike) -> Values:
         SingularityError: The block is no finite matrix or stack of matrices.
     """
     matrix = np.asarray(block, dtype=np.float64)
-    if matrix.ndim < 2 or not np.isfinite(matrix).all():
+    if matrix.ndim < 2:
         raise SingularityError(
             f"A block takes finite numbers of shape (..., m, n), got shape {matrix.shape}."
-            if matrix.ndim < 2
-            else "A block takes finite numbers, got NaN or infinity."
         )
+    if not np.isfinite(matrix).all():
+        raise SingularityError("A block takes finite numbers, got NaN or infinity.")
     return np.linalg.svd(matrix, compute_uv=False).astype(np.float64, copy=False)
 
 
 def sigma_min(block: ArrayLike) -> Values:
-    """The smallest singular value (...) of a block (..., m, n): the gain of the hardest direction."""
+    """The smallest singular value (...) of a block (..., m, n).
+
+    It is the gain of the hardest direction.
+
+    Raises:
+        SingularityError: The block is no finite matrix or stack of matrices.
+    """
     return singular_values(block)[..., -1]
 
 
 def rank(block: ArrayLike, tolerance: float = RANK_TOLERANCE) -> NDArray[np.intp]:
-    """The rank (...) of a block: singular values above `tolerance` times the largest one."""
+    """The rank (...) of a block (..., m, n): singular values above `tolerance` times the largest.
+
+    Raises:
+        SingularityError: The block is no finite matrix or stack of matrices.
+    """
     values = singular_values(block)
     return np.count_nonzero(values > tolerance * values[..., :1], axis=-1)
 
@@ -79,20 +110,24 @@ def manipulability(block: ArrayLike) -> Values:
     """Yoshikawa's measure sqrt(det(J J^T)) (...), the product of the singular values.
 
     Raises:
-        SingularityError: The block has more rows than columns, where the measure is zero everywhere.
+        SingularityError: The block has more rows than columns, where the measure is zero
+            everywhere, or is no finite matrix or stack of matrices.
     """
     values = singular_values(block)
     rows, columns = np.shape(block)[-2:]
     if rows > columns:
         raise SingularityError(
-            f"Manipulability takes a block with at most as many rows as columns, got {rows} x {columns}: "
-            "choose task rows."
+            "Manipulability takes a block with at most as many rows as columns, "
+            f"got {rows} x {columns}: choose task rows."
         )
     return values.prod(axis=-1)
 
 
 def arm(robot: "Robot", parameters: Parameters = None) -> RegionalArm:
-    """The joints that carry the wrist centre if the last three axes meet in a point, else the whole robot."""
+    """The joints that carry the wrist centre, or the whole robot.
+
+    There is a wrist centre if the last three of six axes meet in a point.
+    """
     chain = robot.chain(parameters)
     centre = _wrist_centre(chain)
     if centre is None:
@@ -100,9 +135,12 @@ def arm(robot: "Robot", parameters: Parameters = None) -> RegionalArm:
     tool = chain.fixed[3].copy()
     tool[:3, 3] += centre * tool[:3, 2]
     carried = Chain(np.concatenate([chain.fixed[:3], tool[None]]), chain.kinds[:3])
-    wrist = {"q4", "q5", "q6"}
-    factors = tuple(f for f in robot.factors if not wrist & parse(f.expression, robot.names).names)
-    return RegionalArm(carried, (0, 1, 2), robot.limits[:3], factors, "wrist centre")
+    factors = list["Factor"]()
+    for factor in robot.factors:
+        joints = WRIST & parse(factor.expression, robot.names).names
+        if not joints:
+            factors.append(factor)
+    return RegionalArm(carried, (0, 1, 2), robot.limits[:3], tuple(factors), "wrist centre")
 
 
 def task_block(of: RegionalArm, q: ArrayLike) -> Values:
@@ -111,14 +149,20 @@ def task_block(of: RegionalArm, q: ArrayLike) -> Values:
 
 
 def factor_values(robot: "Robot", parameters: Parameters, q: ArrayLike) -> dict[str, Values]:
-    """The value (...) of every factor of det J at q (..., n), by the factor's name."""
+    """The value (...) of every factor of det J at q (..., n), by the factor's name.
+
+    Raises:
+        SingularityError: q is of another shape.
+    """
     configurations = np.asarray(q, dtype=np.float64)
     if configurations.shape[-1:] != (robot.n,):
         raise SingularityError(
             f"q takes shape (..., {robot.n}) for {robot.name}, got {configurations.shape}."
         )
-    values = _named(robot, parameters, [configurations[..., i] for i in range(robot.n)])
-    return {f.name: _evaluate(robot, f, values, configurations.shape[:-1]) for f in robot.factors}
+    joints = [configurations[..., i] for i in range(robot.n)]
+    values = _named(robot, parameters, joints)
+    shape = configurations.shape[:-1]
+    return {f.name: _evaluate(robot, f, values, shape) for f in robot.factors}
 
 
 def zero_set(
@@ -131,10 +175,11 @@ def zero_set(
     ranges: Ranges | None = None,
     count: int = 361,
 ) -> Lines:
-    """The curves, each (m, 2), on which one named factor of det J vanishes in a plane of two joints.
+    """The curves, each (m, 2), on which a factor of det J vanishes in a plane of two joints.
 
-    Every point is a root found along a grid line of the plane, to about 1e-12 of the range. Each factor is
-    traced by itself: where two nearly coincide, their product does not change sign between grid lines.
+    Every point is a root found along a grid line of the plane, to about 1e-12 of the range. Each
+    factor is traced by itself: where two nearly coincide, their product does not change sign
+    between grid lines.
 
     Args:
         robot: A robot with factors.
@@ -157,54 +202,55 @@ def zero_set(
         raise SingularityError(
             f"A plane takes two different joints of 0 to {robot.n - 1}, got {free}."
         )
-    fixed = np.zeros(robot.n) if at is None else np.asarray(at, dtype=np.float64)
+    fixed = np.zeros(robot.n)
+    if at is not None:
+        fixed = np.asarray(at, dtype=np.float64)
+    if not ranges:
+        ranges = [_range(robot, joint) for joint in free]
 
     def field(x: Values, y: Values) -> Values:
         q: list[Values] = [np.float64(value) + 0 * x for value in fixed]
         q[free[0]], q[free[1]] = x, y
         return _evaluate(robot, named[factor], _named(robot, parameters, q), x.shape)
 
-    spans = ranges or [(-np.pi, np.pi) if robot.kinds[i] == "R" else robot.limits[i] for i in free]
-    return trace(field, spans[0], spans[1], count)
-
-
-def trace(
-    field: ScalarField, across: tuple[float, float], up: tuple[float, float], count: int = 361
-) -> Lines:
-    """The zero curves, each (m, 2), of a scalar field that changes sign across them, inside a rectangle."""
-    x, y = _grid_lines(*across, count), _grid_lines(*up, count)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        values = field(*np.meshgrid(x, y, indexing="ij"))
-        # A zero along a whole grid line is rounding noise of either sign; this shift makes it one sign.
-        shift = 1e-13 * float(np.median(np.abs(values)))
-        values = values + shift
-        lines = _contours(values)
-        if not lines:
-            return ()
-        points = _roots(lambda a, b: field(a, b) + shift, x, y, values, np.concatenate(lines))
-    ends = np.cumsum([len(line) for line in lines])
-    low, high = np.array([across[0], up[0]]), np.array([across[1], up[1]])
-    traced = np.split(points, ends[:-1])
-    return tuple(piece for line in traced for piece in _inside(line, low, high))
+    return trace(field, ranges[0], ranges[1], count)
 
 
 def _wrist_centre(chain: Chain) -> float | None:
-    """Where axes 5 and 6 meet axis 4, measured along axis 4 [m]; None if they do not meet in one point."""
+    """Where axes 5 and 6 meet axis 4, measured along axis 4 [m].
+
+    None if they do not meet in one point.
+    """
     if chain.n != 6 or chain.kinds[3:] != "RRR":
         return None
     F = frames(chain, np.zeros(6))
     near = 1e-9 * float(np.abs(chain.fixed[:, :3, 3]).max())
     meetings: list[Values] = []
     for first, second in ((3, 4), (4, 5)):
-        z, w = F[first, :3, 2], F[second, :3, 2]
-        gap = F[second, :3, 3] - F[first, :3, 3]
-        normal = np.cross(z, w)
-        if normal @ normal < 1e-12 or abs(gap @ normal) > near:
+        meeting = _meeting(F[first], F[second], near)
+        if meeting is None:
             return None
-        meetings.append(F[first, :3, 3] + z * (np.cross(gap, w) @ normal) / (normal @ normal))
+        meetings.append(meeting)
     if np.abs(meetings[0] - meetings[1]).max() > near:
         return None
     return float((meetings[0] - F[3, :3, 3]) @ F[3, :3, 2])
+
+
+def _meeting(first: Values, second: Values, near: float) -> Values | None:
+    """The point (3,) where the z axes of two frames (4, 4) meet; None if parallel or apart."""
+    z, w = first[:3, 2], second[:3, 2]
+    gap = second[:3, 3] - first[:3, 3]
+    normal = np.cross(z, w)
+    if normal @ normal < 1e-12 or abs(gap @ normal) > near:
+        return None
+    return first[:3, 3] + z * (np.cross(gap, w) @ normal) / (normal @ normal)
+
+
+def _range(robot: "Robot", joint: int) -> tuple[float, float]:
+    """A full turn, or the limits of a slide."""
+    if robot.kinds[joint] == "R":
+        return (-np.pi, np.pi)
+    return robot.limits[joint]
 
 
 def _named(robot: "Robot", parameters: Parameters, q: Sequence[Values]) -> dict[str, ArrayLike]:
@@ -217,55 +263,3 @@ def _evaluate(
 ) -> Values:
     found = parse(factor.expression, robot.names).at(values)
     return np.broadcast_to(np.asarray(found, dtype=np.float64), shape)
-
-
-def _grid_lines(low: float, high: float, count: int) -> Values:
-    # One line outside on each side: a zero on the rim itself (q2 = pi) is then crossed, not touched. The inner
-    # lines avoid round numbers, where curves like to meet.
-    step = (high - low) / (count - 1)
-    inner = low + step * (np.arange(1, count) - 0.382)
-    return np.concatenate([[low - 0.4 * step, low], inner, [high, high + 0.4 * step]])
-
-
-def _contours(values: Values) -> list[Values]:
-    """Lines (m, 2) between the nodes of either sign, in numbers of grid lines along x and y.
-
-    Their points are on the edges between nodes, in the middle third. A closed line repeats its first.
-    """
-    from contourpy import LineType, contour_generator
-
-    # The sign keeps points off the nodes; the value decides which corners of a saddle are joined.
-    heights = np.where(values >= 0, 1.0, -1.0) + values / np.abs(values).max()
-    contours = contour_generator(z=heights.T, line_type=LineType.Separate)
-    return cast("list[Values]", contours.lines(0.0))
-
-
-def _roots(field: ScalarField, x: Values, y: Values, values: Values, places: Values) -> Values:
-    """The roots (m, 2) on the edges of the grid where `places` (m, 2) are; NaN for a pole."""
-    first = np.floor(places + 1e-9).astype(int)  # an edge keeps to a grid line only to rounding
-    last = np.ceil(places - 1e-9).astype(int)
-    low, high = (np.column_stack([x[i], y[j]]) for i, j in (first.T, last.T))
-    rising = values[tuple(last.T)] >= 0
-    for _ in range(54):
-        middle = (low + high) / 2
-        above = ((field(*middle.T) >= 0) == rising)[:, None]
-        low, high = np.where(above, low, middle), np.where(above, middle, high)
-    roots = (low + high) / 2
-    size = np.abs(values)
-    # A pole changes sign too (tan), but its "root" is huge.
-    larger = np.maximum(size[tuple(first.T)], size[tuple(last.T)])
-    true = np.abs(field(*roots.T)) <= larger
-    return np.where(true[:, None], roots, np.nan)
-
-
-def _inside(points: Values, low: Values, high: Values) -> list[Values]:
-    """The pieces without NaN of a line in a rectangle, whose sides are grid lines and carry points."""
-    slack = 1e-9 * (high - low)
-    kept = ((points >= low - slack) & (points <= high + slack)).all(axis=1)
-    cuts = np.flatnonzero(np.diff(kept)) + 1
-    pieces = np.split(np.clip(points, low, high), cuts)
-    return [
-        piece
-        for piece, keep in zip(pieces, np.split(kept, cuts), strict=True)
-        if keep[0] and len(piece) > 1
-    ]

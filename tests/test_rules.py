@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 from courses import LEVER
 from kinegrade.course import rules
+from kinegrade.exercises import files as exercise_folder
 from kinegrade.exercises.files import finding, loading, neighbours
 from kinegrade.exercises.files.finding import exercise_files
 from wheels import ROOT
@@ -143,7 +144,7 @@ def test_all_that_is_loaded_to_mark_our_exercises_is_in_their_hashes():
     loaded = {file.relative_to(ROOT) for file in files if file.is_relative_to(ROOT)}
     looking = {
         Path(module.__file__).resolve().relative_to(ROOT)
-        for module in (files, finding, loading, neighbours)
+        for module in (exercise_folder, finding, loading, neighbours)
     }
     exercises = {path.relative_to(ROOT) for path in exercise_files().values()}
     others = loaded - reached() - looking - exercises

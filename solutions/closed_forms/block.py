@@ -1,5 +1,8 @@
 # pyright: basic
-"""The task block of a robot where its entries are shortest: in the axes, and for the point, that suit it."""
+"""The task block of a robot, in the axes and for the point that make it shortest.
+
+Places are numbered along the arm: 0 is the base, 1 to n are the joints, n + 1 is the tool.
+"""
 
 from __future__ import annotations
 
@@ -14,89 +17,168 @@ from .polynomial import ZERO, Polynomial, polynomial
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
+    from ..expression import Expression
     from ..robot import Robot
 
 Vector = tuple[Polynomial, ...]
 Block = list[list[Polynomial]]
-Motion = tuple[str, sp.Expr]
-SPACE = (0, 1, 2, 3, 4, 5)
+Motion = tuple[str, sp.Expr]  # such as ("Rx", angle) or ("Tz", length)
+Line = tuple[Vector, Vector]  # the direction z and the origin of an axis
+
+LINEAR = (0, 1, 2)
+ANGULAR = (3, 4, 5)
+SPACE = (*LINEAR, *ANGULAR)
+ORIGIN = (ZERO, ZERO, ZERO)
 
 
 def task_columns(robot: Robot) -> list[Block]:
-    """Square blocks whose determinants multiply to that of the task rows of J; one block, or two with a wrist.
+    """Square blocks whose determinants multiply to that of the task rows of J.
 
-    A determinant of three linear rows is the same in all axes, one of all six rows also for all points that move
+    There is one block, or two where a spherical wrist splits J. A determinant of three linear or
+    three angular rows is the same in all axes, one of all six rows also for all points that move
     with the tool. Any other is taken in base axes for the tool point.
     """
-    n = robot.n
-    turned = robot.task_rows in (SPACE[:3], SPACE[3:], SPACE)
-    seen = [_seen_from(robot, place) for place in (range(n + 2) if turned else (0,))]
-    points = range(n + 2) if robot.task_rows == SPACE else (n + 1,)
-    blocks = [_jacobian(robot, axes, point) for axes, point in product(seen, points)]
-    if n == 6 and robot.task_rows == SPACE:
-        split = [J for J in blocks if not any(entry.terms for row in J[:3] for entry in row[3:])]
+    jacobians = _jacobians(robot)
+    if robot.n == 6 and robot.task_rows == SPACE:
+        split = [J for J in jacobians if _is_split(J)]
         if split:
-            arm, wrist = (
-                ([row[:3] for row in J[:3]] for J in split),
-                ([row[3:] for row in J[3:]] for J in split),
-            )
-            return [min(arm, key=_length), min(wrist, key=_length)]
-    return [min(([J[row] for row in robot.task_rows] for J in blocks), key=_length)]
+            return [_shortest(split, LINEAR, LINEAR), _shortest(split, ANGULAR, ANGULAR)]
+    return [_shortest(jacobians, robot.task_rows, range(robot.n))]
 
 
-def _seen_from(robot: Robot, place: int) -> list[tuple[Vector, Vector]]:
-    """Axis z and origin of the base, of every joint and of the tool in coordinates of one of them."""
+def _jacobians(robot: Robot) -> list[Block]:
+    """Jacobians (6, n) whose task rows all have the same determinant."""
+    everywhere = range(robot.n + 2)
+    axes: Sequence[int] = (0,)
+    points: Sequence[int] = (robot.n + 1,)
+    if robot.task_rows in (LINEAR, ANGULAR, SPACE):
+        axes = everywhere
+    if robot.task_rows == SPACE:
+        points = everywhere
+
     motions = _motions(robot)
-    ahead = _walk(motions[place:], backwards=False)
-    behind = _walk(motions[:place][::-1], backwards=True)
-    return [*behind[::-1], *ahead[1:]] if place else ahead
+    found: list[Block] = []
+    for place in axes:
+        lines = _seen_from(motions, place)
+        for point in points:
+            J = _jacobian(robot.kinds, lines, point)
+            found.append(J)
+    return found
 
 
-def _motions(robot: Robot) -> list[list[Motion]]:
-    """Motions from the base to the frame whose z is the axis of joint 1, on to that of joint 2, ... and to the tool."""
-    rows = [[(motion, amount.sympy()) for motion, amount in steps] for steps in robot.steps]
-    base, tool = (
-        [(m, a.sympy()) for m, a in steps] for steps in (robot.base_steps, robot.tool_steps)
-    )
-    joined: list[list[Motion]] = [base]
-    for name, row in zip(robot.joints, rows, strict=True):
-        at = next(
-            i
-            for i, (_, amount) in enumerate(row)
-            if sp.Symbol(name, real=True) in amount.free_symbols
-        )
-        joined[-1] += row[:at]
-        joined.append(row[at:])
-    joined[-1] += tool
-    return joined
+def _is_split(J: Block) -> bool:
+    """Whether the wrist, the last three joints, leaves the point of J where it is.
+
+    J is then block triangular, and its determinant that of the arm times that of the wrist.
+    """
+    return not any(J[row][column].terms for row, column in product(LINEAR, ANGULAR))
 
 
-def _walk(rows: Iterable[Sequence[Motion]], *, backwards: bool) -> list[tuple[Vector, Vector]]:
-    R: Rows = IDENTITY
-    p: Vector = (ZERO, ZERO, ZERO)
-    reached: list[tuple[Vector, Vector]] = [(tuple(row[2] for row in R), p)]
+def _shortest(jacobians: Iterable[Block], rows: Sequence[int], columns: Sequence[int]) -> Block:
+    """The shortest of the blocks that these rows and columns are in Jacobians."""
+    blocks = [_part(J, rows, columns) for J in jacobians]
+    return min(blocks, key=_length)
+
+
+def _part(J: Block, rows: Iterable[int], columns: Iterable[int]) -> Block:
+    part: Block = []
     for row in rows:
-        for motion, amount in [(m, -a) for m, a in reversed(row)] if backwards else row:
-            axis = "xyz".index(motion[1])
-            if motion[0] == "T":
-                length = polynomial(amount)
-                p = tuple(x + line[axis] * length for x, line in zip(p, R, strict=True))
-            else:
-                for angle in sp.Add.make_args(amount):
-                    R = times(R, rotation(motion[1], angle)) if angle else R
-        reached.append((tuple(line[2] for line in R), p))
-    return reached
-
-
-def _jacobian(robot: Robot, seen: Sequence[tuple[Vector, Vector]], point: int) -> Block:
-    p = seen[point][1]
-    columns: list[Vector] = []
-    for kind, (z, o) in zip(robot.kinds, seen[1:-1], strict=True):
-        r = tuple(a - b for a, b in zip(p, o, strict=True))
-        moved = tuple(z[i - 2] * r[i - 1] - z[i - 1] * r[i - 2] for i in range(3))
-        columns.append((*moved, *z) if kind == "R" else (*z, ZERO, ZERO, ZERO))
-    return [list(row) for row in zip(*columns, strict=True)]
+        entries = [J[row][column] for column in columns]
+        part.append(entries)
+    return part
 
 
 def _length(block: Block) -> int:
-    return sum(len(monomial) + 1 for row in block for entry in row for monomial in entry.terms)
+    """How long a block is, written out: the letters and the numbers of all its entries."""
+    length = 0
+    for row in block:
+        for entry in row:
+            for monomial in entry.terms:
+                length += len(monomial) + 1
+    return length
+
+
+def _motions(robot: Robot) -> list[list[Motion]]:
+    """Motions from each place to the next.
+
+    They are cut so that each joint's own motion begins a list: the z of the frame before it is the
+    axis of the joint.
+    """
+    between = [_in_sympy(robot.base_steps)]
+    for name, steps in zip(robot.joints, robot.steps, strict=True):
+        motions = _in_sympy(steps)
+        at = _first_with(sp.Symbol(name, real=True), motions)
+        between[-1] += motions[:at]
+        between.append(motions[at:])
+    between[-1] += _in_sympy(robot.tool_steps)
+    return between
+
+
+def _in_sympy(steps: Iterable[tuple[str, Expression]]) -> list[Motion]:
+    return [(motion, amount.sympy()) for motion, amount in steps]
+
+
+def _first_with(joint: sp.Symbol, motions: Iterable[Motion]) -> int:
+    """The index of the first motion whose amount holds a joint."""
+    return next(i for i, (_, amount) in enumerate(motions) if joint in amount.free_symbols)
+
+
+def _seen_from(motions: Sequence[Sequence[Motion]], place: int) -> list[Line]:
+    """The lines of all places, the base first and the tool last, in the frame at one of them."""
+    back = [_undone(row) for row in reversed(motions[:place])]
+    behind = _walk(back)
+    ahead = _walk(motions[place:])
+    return [*reversed(behind), *ahead[1:]]  # both begin at the place itself
+
+
+def _undone(motions: Sequence[Motion]) -> list[Motion]:
+    return [(motion, -amount) for motion, amount in reversed(motions)]
+
+
+def _walk(rows: Iterable[Sequence[Motion]]) -> list[Line]:
+    """The lines where a walk starts and where it is after each row, in the frame of the start."""
+    R: Rows = IDENTITY
+    p: Vector = ORIGIN
+    reached: list[Line] = [(_column(R, 2), p)]
+    for row in rows:
+        for motion, amount in row:
+            if motion[0] == "T":
+                p = _moved(p, _column(R, "xyz".index(motion[1])), polynomial(amount))
+            else:
+                R = _turned(R, motion[1], amount)
+        reached.append((_column(R, 2), p))
+    return reached
+
+
+def _column(R: Rows, i: int) -> Vector:
+    return tuple(row[i] for row in R)
+
+
+def _moved(p: Vector, direction: Vector, length: Polynomial) -> Vector:
+    return tuple(x + way * length for x, way in zip(p, direction, strict=True))
+
+
+def _turned(R: Rows, axis: str, amount: sp.Expr) -> Rows:
+    # One angle after the other: half angles take cosines and sines of single angles, not of sums.
+    for angle in sp.Add.make_args(amount):
+        if angle:
+            R = times(R, rotation(axis, angle))
+    return R
+
+
+def _jacobian(kinds: Sequence[str], lines: Sequence[Line], point: int) -> Block:
+    """The Jacobian (6, n) for the origin of one place: z x (p - o) above z for a revolute joint."""
+    _, p = lines[point]
+    columns: list[Vector] = []
+    for kind, (z, o) in zip(kinds, lines[1:-1], strict=True):
+        if kind == "R":
+            r = tuple(a - b for a, b in zip(p, o, strict=True))
+            columns.append((*_cross(z, r), *z))
+        else:
+            columns.append((*z, *ORIGIN))
+    return [list(row) for row in zip(*columns, strict=True)]
+
+
+def _cross(a: Vector, b: Vector) -> Vector:
+    (a1, a2, a3), (b1, b2, b3) = a, b
+    return (a2 * b3 - a3 * b2, a3 * b1 - a1 * b3, a1 * b2 - a2 * b1)

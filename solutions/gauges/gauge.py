@@ -7,6 +7,8 @@ import numpy as np
 
 from ..chain import Array
 
+UNLINKED = (np.eye(4), np.eye(4))
+
 
 @dataclass(frozen=True, eq=False)
 class Gauge:
@@ -25,7 +27,7 @@ class Gauge:
     names: tuple[str, ...]
     signs: tuple[float, ...]
     pending: int | None = None
-    links: tuple[Array, Array] = (np.eye(4), np.eye(4))
+    links: tuple[Array, Array] = UNLINKED
 
     def with_open(self, name: str, direction: Array) -> "Gauge":
         """The gauge with another open translation along a direction (3,)."""

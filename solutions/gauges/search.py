@@ -7,7 +7,7 @@ import numpy as np
 
 from ..chain import Array, Chain, elementary
 from ..rotation import inverse_transform
-from .gauge import Gauge
+from .gauge import UNLINKED, Gauge
 
 REVERSAL = np.diag([1.0, -1.0, -1.0])
 SETTLED = 2e-2  # a direction of a free translation shorter than this does not settle it
@@ -41,8 +41,11 @@ class Search:
     def __init__(
         self, first: Chain, second: Chain, given: Given, angle: float, length: float
     ) -> None:
-        self.first, self.second, self.given = first, second, given
-        self.angle, self.length = angle, length
+        self.first = first
+        self.second = second
+        self.given = given
+        self.angle = angle
+        self.length = length
         self.signs = (1.0,) if given.senses else (1.0, -1.0)
         self.difference = Difference(0, "")
 
@@ -57,13 +60,15 @@ class Search:
         if self.given.base:
             yield from self._given_base(nothing)
             return
-        directions = np.eye(3)[2:] if self.first.kinds[0] == "R" else np.eye(3)
+        slide = self.first.kinds[0] == "P"
+        directions = np.eye(3)
+        if not slide:
+            directions = directions[2:]  # along the axis
         for sign in self.signs:
-            turn = np.eye(3) if sign > 0 else REVERSAL
-            start = Gauge(turn, np.zeros(3), *nothing, (sign,))
+            start = Gauge(kept_or_reversed(sign), np.zeros(3), *nothing, (sign,))
             for direction in directions:
                 start = start.with_open("base", direction)
-            if self.first.kinds[0] == "P":  # about its direction the base may stand in any way
+            if slide:  # about its direction the base may stand in any way
                 start = replace(start, pending=0)
             yield start
 
@@ -76,7 +81,7 @@ class Search:
             self.note(1, "the positive sense of axis 1 is reversed")
         else:
             start = Gauge(between[:3, :3], between[:3, 3], *nothing, (sign,))
-            placed = start if self.first.kinds[0] == "P" else self._on_axis(start, 1)
+            placed = self._on_axis(start, 1)
             if placed is not None:
                 yield placed
 
@@ -85,13 +90,12 @@ class Search:
         if self.first.kinds[joint - 1] == "P":
             gauge = self._slid(gauge, joint)
         else:
-            gauge = replace(gauge, pending=joint, links=(np.eye(4), np.eye(4)))
-        last = joint == self.first.n
-        for after in self._at_the_tool(gauge) if last else self._at_the_next_axis(gauge, joint):
-            if last:
-                yield after
-            else:
-                yield from self.found(after, joint + 1)
+            gauge = replace(gauge, pending=joint, links=UNLINKED)
+        if joint == self.first.n:
+            yield from self._at_the_tool(gauge)
+            return
+        for after in self._at_the_next_axis(gauge, joint):
+            yield from self.found(after, joint + 1)
 
     def _slid(self, gauge: Gauge, joint: int) -> Gauge:
         """A prismatic joint has a direction and no place: its offset is open."""
@@ -102,7 +106,7 @@ class Search:
 
     def _links(self, gauge: Gauge, joint: int) -> tuple[Array, Array]:
         """The transforms of both chains from the pending joint, or this one, to the next axis."""
-        ours, theirs = (np.eye(4), np.eye(4)) if gauge.pending is None else gauge.links
+        ours, theirs = gauge.links
         return ours @ self.first.fixed[joint], theirs @ self.second.fixed[joint]
 
     def _after(self, gauge: Gauge, links: tuple[Array, Array], angle: float) -> Gauge:
@@ -110,15 +114,17 @@ class Search:
         ours, theirs = links
         back = ours[:3, :3].T
         turned = gauge.turn @ elementary("Rz", angle)[:3, :3]
-        if gauge.pending is not None:
-            name = "base angle" if gauge.pending == 0 else f"c{gauge.pending}"
-            gauge = gauge.with_angle(name, angle)
+        if gauge.pending == 0:
+            gauge = gauge.with_angle("base angle", angle)
+        elif gauge.pending is not None:
+            gauge = gauge.with_angle(f"c{gauge.pending}", angle)
         return replace(
             gauge,
             turn=back @ turned @ theirs[:3, :3],
             shift=back @ (turned @ theirs[:3, 3] + gauge.shift - ours[:3, 3]),
             open=back @ gauge.open,
             pending=None,
+            links=UNLINKED,
         )
 
     def _at_the_next_axis(self, gauge: Gauge, joint: int) -> Iterator[Gauge]:
@@ -128,8 +134,9 @@ class Search:
         if gauge.pending is None:
             yield from self._settled_direction(gauge, links, axis)
             return
-        between = np.arctan2(np.hypot(*ours[:2]), abs(ours[2]))
-        seen = np.arctan2(np.hypot(*theirs[:2]), abs(theirs[2]))
+
+        between = _angle_to_z(ours)
+        seen = _angle_to_z(theirs)
         if abs(between - seen) > self.angle:
             wrong = f"it is at {np.degrees(seen):.0f} degrees to axis {joint}"
             self.note(axis, f"axis {axis} has another direction: {wrong}, which is drawn otherwise")
@@ -167,39 +174,50 @@ class Search:
         elif self.first.kinds[axis - 1] == "P":
             yield replace(gauge, links=links, signs=(*gauge.signs, sign))
         else:
-            wanted = (gauge.turn.T @ (links[0][:3, 3] - gauge.shift))[:2]
-            theirs = links[1][:2, 3]
-            apart = float(np.linalg.norm(wanted))
-            if abs(apart - float(np.linalg.norm(theirs))) > self.length:
-                self.note(
-                    axis, f"axis {axis} is parallel to the axis before it at another distance"
-                )
-                return
-            angle = np.arctan2(wanted[1], wanted[0]) - np.arctan2(theirs[1], theirs[0])
-            if apart <= max(5 * self.length, 1e-9):  # one line: any angle will do
-                angle = self._aligning(gauge, links)
-            yield from self._placed(self._after(gauge, links, float(angle)), axis, sign)
+            angle = self._turning_onto(gauge, links, axis)
+            if angle is not None:
+                yield from self._placed(self._after(gauge, links, angle), axis, sign)
+
+    def _turning_onto(self, gauge: Gauge, links: tuple[Array, Array], axis: int) -> float | None:
+        """The pending angle that brings one parallel axis onto the other; None if none does."""
+        wanted = (gauge.turn.T @ (links[0][:3, 3] - gauge.shift))[:2]
+        theirs = links[1][:2, 3]
+        apart = float(np.linalg.norm(wanted))
+        if abs(apart - float(np.linalg.norm(theirs))) > self.length:
+            self.note(axis, f"axis {axis} is parallel to the axis before it at another distance")
+            return None
+        if apart <= max(5 * self.length, 1e-9):  # one line: any angle will do
+            return self._aligning(gauge, links)
+        return float(np.arctan2(wanted[1], wanted[0]) - np.arctan2(theirs[1], theirs[0]))
 
     def _aligning(self, gauge: Gauge, links: tuple[Array, Array]) -> float:
         """The angle about the pending axis that brings the frames beyond the links closest."""
         wanted = gauge.turn.T @ links[0][:3, :3] @ links[1][:3, :3].T
-        across, along = wanted[1, 0] - wanted[0, 1], wanted[0, 0] + wanted[1, 1]
-        return 0.0 if np.hypot(across, along) < 1e-9 else float(np.arctan2(across, along))
+        # trace(wanted^T Rz(angle)) = along cos(angle) + across sin(angle) + ... is the largest.
+        across = wanted[1, 0] - wanted[0, 1]
+        along = wanted[0, 0] + wanted[1, 1]
+        if np.hypot(across, along) < 1e-9:
+            return 0.0
+        return float(np.arctan2(across, along))
 
     def _placed(self, gauge: Gauge, axis: int, sign: float) -> Iterator[Gauge]:
         gauge = replace(gauge, signs=(*gauge.signs, sign))
-        placed = gauge if self.first.kinds[axis - 1] == "P" else self._on_axis(gauge, axis)
+        placed = self._on_axis(gauge, axis)
         if placed is not None:
             yield placed
 
     def _on_axis(self, gauge: Gauge, axis: int) -> Gauge | None:
-        """The gauge with the origin on a revolute axis."""
+        """The gauge with the origin on the axis, if it is revolute: a slide has no place."""
+        if self.first.kinds[axis - 1] == "P":
+            return gauge
         return self._vanishing(gauge, slice(0, 2), axis, f"axis {axis} stands in another place")
 
     def _at_the_tool(self, gauge: Gauge) -> Iterator[Gauge]:
         n = self.first.n
         links = self._links(gauge, n)
-        angle = 0.0 if gauge.pending is None else self._aligning(gauge, links)
+        angle = 0.0
+        if gauge.pending is not None:
+            angle = self._aligning(gauge, links)
         after = self._after(gauge, links, angle)
         if not self.given.tool:
             nearest, *_ = np.linalg.lstsq(after.open, -after.shift, rcond=1e-3)
@@ -209,6 +227,7 @@ class Search:
         if np.abs(after.turn - np.eye(3)).max() > self.angle:
             self.note(n + 1, "the tool frame is turned otherwise")
             return
+
         placed = self._vanishing(after, slice(0, 3), n + 1, "the tool point is in another place")
         if placed is not None:
             left = int(placed.open.shape[1])
@@ -216,7 +235,9 @@ class Search:
 
     def _vanishing(self, gauge: Gauge, rows: slice, axis: int, reason: str) -> Gauge | None:
         """Open translations settled so that these rows of the shift vanish; None if they cannot."""
-        A, wanted = gauge.open[rows], -gauge.shift[rows]
+        A = gauge.open[rows]
+        wanted = -gauge.shift[rows]
+        # Least squares by the singular values: the directions behind the rank stay open.
         U, sizes, V = np.linalg.svd(A, full_matrices=True)
         rank = int((sizes > SETTLED).sum())
         y = V[:rank].T @ ((U[:, :rank].T @ wanted) / sizes[:rank])
@@ -224,3 +245,13 @@ class Search:
             self.note(axis, reason)
             return None
         return gauge.settled(y, V[rank:].T)
+
+
+def kept_or_reversed(sign: float) -> Array:
+    """The rotation (3, 3) that keeps the z axis for a positive sign and reverses it otherwise."""
+    return np.eye(3) if sign > 0 else REVERSAL
+
+
+def _angle_to_z(axis: Array) -> float:
+    """The angle [rad] between a direction (3,) of either sense and the z axis."""
+    return float(np.arctan2(np.hypot(*axis[:2]), abs(axis[2])))

@@ -1,5 +1,7 @@
 """The cells of a section that the tool reaches, each with the largest sigma_min found in it."""
 
+from itertools import product
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -8,96 +10,117 @@ from .approach import approached, in_axis_frame, projected
 
 Extent = tuple[float, float, float, float]  # left, right, bottom, top [m]
 
+SAMPLES = 40_000
+NEIGHBOURS = [way for way in product((-1, 0, 1), repeat=2) if way != (0, 0)]
+
 
 def filled(part: RegionalArm, axes: tuple[str, str], cells: int) -> tuple[Values, Extent]:
-    """Cells of a section that any number of joints span: samples, then postures for the empty cells beside them."""
-    q = spread(part, 40_000)
-    points, sigma = projected(in_axis_frame(part.chain, q), axes), sigma_min(task_block(part, q))
-    image, extent = raster(
-        points, sigma, cells, margin=cells // 8
-    )  # samples of many joints end short of the rim
-    size, corner = (extent[1] - extent[0]) / image.shape[1], np.array([extent[0], extent[2]])
+    """Cells of a section that any number of joints span, `cells` of them along its longer side.
+
+    They come from samples, then from postures for the empty cells beside those that are reached.
+    """
+    q = spread(part, SAMPLES)
+    points = projected(in_axis_frame(part.chain, q), axes)
+    sigma = sigma_min(task_block(part, q))
+    # Samples of many joints end short of the rim: there is room around them.
+    image, extent = raster(points, sigma, cells, margin=cells // 8)
+    size = (extent[1] - extent[0]) / image.shape[1]
+    corner = np.array([extent[0], extent[2]])
+
     posture = np.full((*image.shape, part.chain.n), np.nan)
-    posture[tuple(((points - corner) / size).astype(int).T[::-1])] = q
-    free, fresh = tuple(range(part.chain.n)), ~np.isnan(image)
+    column, row = ((points - corner) / size).astype(int).T
+    posture[row, column] = q
+    every_joint = tuple(range(part.chain.n))
+    fresh = ~np.isnan(image)
     while fresh.any():
         empty, beside = _empty_beside(image, fresh)
-        at, gap = approached(
-            part, free, axes, posture[tuple(beside.T)], (empty[:, ::-1] + 0.5) * size + corner
-        )
+        centres = (empty[:, ::-1] + 0.5) * size + corner
+        at, gap = approached(part, every_joint, axes, posture[tuple(beside.T)], centres)
         found = (np.abs(gap) < 0.5 * size).all(axis=1)
-        fresh = np.zeros_like(fresh)
         reached = tuple(empty[found].T)
-        posture[reached], fresh[reached] = at[found], True
+        posture[reached] = at[found]
         image[reached] = sigma_min(task_block(part, at[found]))
+        fresh = np.zeros_like(fresh)
+        fresh[reached] = True
     return _cropped(image, corner, size)
 
 
 def raster(points: Values, sigma: Values, cells: int, margin: int = 1) -> tuple[Values, Extent]:
-    """The largest sigma (...) of the points (..., 2) in each cell, NaN where there are none, with a `margin` around."""
+    """The largest sigma (...) of the points (..., 2) in each cell, and the extent of all cells.
+
+    Cells without a point are NaN; there are `margin` of them around.
+    """
     flat = points.reshape(-1, 2)
     low, high = flat.min(axis=0), flat.max(axis=0)
-    size = (max(float((high - low).max()), 1e-9 * float(np.abs(flat).max())) or 1.0) / cells
-    shape = np.ceil((high - low) / size).astype(int) + 1 + 2 * margin  # empty cells around
+    smallest = 1e-9 * float(np.abs(flat).max())
+    side = max(float((high - low).max()), smallest)
+    if side == 0.0:  # the tool stands still at the origin
+        side = 1.0
+    size = side / cells
+
+    shape = np.ceil((high - low) / size).astype(int) + 1 + 2 * margin
     origin = (low + high - shape * size) / 2
     column, row = ((flat - origin) / size).astype(int).T
     image = np.full(shape[0] * shape[1], -np.inf)
     np.maximum.at(image, row * shape[0] + column, sigma.ravel())
     image[image == -np.inf] = np.nan
-    left, bottom = (float(v) for v in origin)
-    right, top = (float(v) for v in origin + shape * size)
+    left, bottom = origin.tolist()
+    right, top = (origin + shape * size).tolist()
     return image.reshape(shape[1], shape[0]), (left, right, bottom, top)
 
 
 def spread(part: RegionalArm, count: int) -> Values:
-    """Configurations (count, n) spread evenly over the joint limits: Roberts' additive recurrence."""
+    """Configurations (count, n) spread evenly over the joint limits: Roberts' additive recurrence.
+
+    Its ratio is the root of x^(n + 1) = x + 1, the golden ratio for one joint.
+    """
     n = part.chain.n
     ratio = 2.0
     for _ in range(40):
         ratio = (1 + ratio) ** (1 / (n + 1))
     low, high = np.transpose(part.limits)
-    return low + (high - low) * (
-        np.arange(1, count + 1)[:, None] * ratio ** -np.arange(1.0, n + 1) % 1
-    )
+    shares = np.arange(1, count + 1)[:, None] * ratio ** -np.arange(1.0, n + 1) % 1
+    return low + (high - low) * shares
 
 
 def beside_empty(image: Values, extent: Extent, points: Values) -> NDArray[np.bool_]:
-    """Whether the cell one and a half cells off a curve (m, 2) is empty on one side or the other, for each point."""
+    """Whether a curve (m, 2) has an empty cell on one side or the other, for each point (m,).
+
+    The cells looked at are one and a half cells off.
+    """
     size = (extent[1] - extent[0]) / image.shape[1]
     along = np.gradient(points, axis=0)
     normal = np.column_stack([-along[:, 1], along[:, 0]])
     normal *= 1.5 * size / np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-300)
     empty = np.pad(np.isnan(image), 2, constant_values=True)
+    height, width = empty.shape
     found = np.zeros(len(points), dtype=np.bool_)
     for side in (points + normal, points - normal):
         column, row = (np.floor((side - (extent[0], extent[2])) / size).astype(int) + 2).T
-        found |= empty[np.clip(row, 0, empty.shape[0] - 1), np.clip(column, 0, empty.shape[1] - 1)]
+        found |= empty[np.clip(row, 0, height - 1), np.clip(column, 0, width - 1)]
     return found
 
 
 def _cropped(image: Values, corner: Values, size: float) -> tuple[Values, Extent]:
     """The reached cells with one empty cell around, and their extent."""
-    rows, columns = (np.flatnonzero((~np.isnan(image)).any(axis=axis)) for axis in (1, 0))
-    top, bottom, left, right = rows[-1] + 2, rows[0] - 1, columns[0] - 1, columns[-1] + 2
-    left, bottom = max(left, 0), max(bottom, 0)
-    kept = image[bottom:top, left:right]
-    x, y = corner + np.array([left, bottom]) * size
-    return kept, (
-        float(x),
-        float(x + kept.shape[1] * size),
-        float(y),
-        float(y + kept.shape[0] * size),
-    )
+    reached = ~np.isnan(image)
+    rows = np.flatnonzero(reached.any(axis=1))
+    columns = np.flatnonzero(reached.any(axis=0))
+    left, bottom = max(columns[0] - 1, 0), max(rows[0] - 1, 0)
+    kept = image[bottom : rows[-1] + 2, left : columns[-1] + 2]
+
+    x, y = (corner + np.array([left, bottom]) * size).tolist()
+    height, width = kept.shape
+    return kept, (x, x + width * size, y, y + height * size)
 
 
 def _empty_beside(
     image: Values, fresh: NDArray[np.bool_]
 ) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-    """Rows and columns (m, 2) of empty cells, and of the cells reached last that each of them touches."""
+    """Rows and columns (m, 2) of empty cells, and of the fresh cells that each of them touches."""
     cells = np.argwhere(fresh)
-    around = np.array([(i, j) for i in (-1, 0, 1) for j in (-1, 0, 1) if i or j])
-    beside = np.repeat(cells, len(around), axis=0)
-    empty = (cells[:, None] + around).reshape(-1, 2)
+    beside = np.repeat(cells, len(NEIGHBOURS), axis=0)
+    empty = (cells[:, None] + np.array(NEIGHBOURS)).reshape(-1, 2)
     inside = ((empty >= 0) & (empty < image.shape)).all(axis=1)
     empty, beside = empty[inside], beside[inside]
     unreached = np.isnan(image[tuple(empty.T)])

@@ -1,7 +1,7 @@
 """Postures of an arm from which its tool has no velocity to one side of a curve in a section.
 
-The tool moves across a curve with normal n at the rate n . dp/dq_i of joint i. It is zero for every free joint, and a
-joint that is held at a limit could only take the tool back.
+The tool moves across a curve with normal n at the rate n . dp/dq_i of joint i. It is zero for every
+free joint, and a joint that is held at a limit could only take the tool back.
 """
 
 from dataclasses import dataclass
@@ -26,9 +26,9 @@ LONGEST = 0.5  # of a step of Newton's method
 
 @dataclass(frozen=True, eq=False)
 class Plane:
-    """The joints that move the tool in a section, seen from the frame of axis 1; lengths are shares of the arm's.
+    """The joints that move the tool in a section, seen from the frame of axis 1.
 
-    Joints that turn all the way round have infinite limits (k,).
+    Lengths are shares of the arm's. Joints that turn all the way round have infinite limits (k,).
     """
 
     chain: Chain
@@ -42,9 +42,9 @@ class Plane:
 
 
 class Stand(NamedTuple):
-    """Postures q (m, k), bearings (m,) of the normals [rad], and joints (m, k) held at the lower (-1) or upper limit.
+    """Postures q (m, k), bearings (m,) of the normals [rad], and which joints (m, k) are held.
 
-    A joint that is free has 0.
+    A joint held at its lower limit has -1, at its upper limit 1, and a free one 0.
     """
 
     q: Values
@@ -57,9 +57,10 @@ class Stand(NamedTuple):
 
     def joined(self, other: "Stand") -> "Stand":
         """These postures and then the others."""
-        bearing = np.concatenate([self.bearing, other.bearing])
         return Stand(
-            np.concatenate([self.q, other.q]), bearing, np.concatenate([self.held, other.held])
+            np.concatenate([self.q, other.q]),
+            np.concatenate([self.bearing, other.bearing]),
+            np.concatenate([self.held, other.held]),
         )
 
     def moved(self, by: Values) -> "Stand":
@@ -68,7 +69,13 @@ class Stand(NamedTuple):
 
 
 class Slopes(NamedTuple):
-    """The tool (m, 2), its rates n . dp/dq (m, k), and their derivatives by q and the bearing (m, k, k + 1)."""
+    """The tool, its rates across curves, and how they change.
+
+    Attributes:
+        at: The tool in the section (m, 2).
+        rates: n . dp/dq (m, k).
+        derivatives: Those of the rates by q and the bearing (m, k, k + 1).
+    """
 
     at: Values
     rates: Values
@@ -77,35 +84,43 @@ class Slopes(NamedTuple):
 
 def slopes(plane: Plane, stand: Stand) -> Slopes:
     """Rates across the curves, and how they change, in closed form."""
-    p, J = forward(plane.chain, stand.q)[:, :3, 3], jacobian(plane.chain, stand.q)
+    p = forward(plane.chain, stand.q)[:, :3, 3]
+    J = jacobian(plane.chain, stand.q)
     v, w = J[:, :3], J[:, 3:]
-    at, across, along = (
-        projected(p, plane.axes),
-        np.cos(stand.bearing)[:, None],
-        np.sin(stand.bearing)[:, None],
-    )
-    first, second = np.zeros_like(p), np.eye(3)[1]
-    first[:, 0] = 1.0
-    if plane.axes == ("r", "z"):
-        first[:, :2], second = p[:, :2] / np.maximum(at[:, :1], 1e-12), np.eye(3)[2]
-    normal, tangent = across * first + along * second, across * second - along * first
-    bends = (
-        np.cross(normal[:, None], w.mT) @ v
-    )  # n . (w_i x v_k): the second derivative of n . p for i <= k
+    at = projected(p, plane.axes)
+    r = np.maximum(at[:, :1], 1e-12)
+    first, second = _directions(plane.axes, p, r)
+    across = np.cos(stand.bearing)[:, None]
+    along = np.sin(stand.bearing)[:, None]
+    normal = across * first + along * second
+    tangent = across * second - along * first  # derivative of the normal by the bearing
+
+    # n . (w_i x v_k) is the second derivative of n . p by q_i and q_k for i <= k.
+    bends = np.cross(normal[:, None], w.mT) @ v
     bends = np.triu(bends) + np.triu(bends, 1).mT
     if plane.axes == ("r", "z"):  # the radial direction turns
         beside = first[:, :1] * v[:, 1] - first[:, 1:2] * v[:, 0]
-        bends += (
-            (across / np.maximum(at[:, :1], 1e-12))[..., None]
-            * beside[:, :, None]
-            * beside[:, None]
-        )
+        bends += (across / r)[..., None] * beside[:, :, None] * beside[:, None]
     turning = (tangent[:, None] @ v).mT
-    return Slopes(at, (normal[:, None] @ v)[:, 0], np.concatenate([bends, turning], axis=-1))
+    rates = (normal[:, None] @ v)[:, 0]
+    return Slopes(at, rates, np.concatenate([bends, turning], axis=-1))
+
+
+def _directions(axes: tuple[str, str], p: Values, r: Values) -> tuple[Values, Values]:
+    """The directions in space of the section's first (m, 3) and second (3,) coordinate."""
+    x, y, z = np.eye(3)
+    if axes == ("x", "y"):
+        return np.tile(x, (len(p), 1)), y
+    radial = np.zeros_like(p)
+    radial[:, :2] = p[:, :2] / r
+    return radial, z
 
 
 def settled(plane: Plane, stand: Stand, steps: int) -> tuple[Stand, Mask]:
-    """The nearest postures at which no free joint has a rate, by Newton's method, and whether they were found."""
+    """The nearest postures at which no free joint has a rate, and whether they were found (m,).
+
+    By Newton's method, in so many steps.
+    """
     for _ in range(steps):
         wrong, rows = _system(slopes(plane, stand), stand.held)
         step = _shortest(rows, -wrong) * _movable(stand.held)
@@ -118,29 +133,32 @@ def settled(plane: Plane, stand: Stand, steps: int) -> tuple[Stand, Mask]:
 def onward(found: Slopes, held: Whole, before: Values) -> Values:
     """Unit steps (m, k + 1) that keep the rates zero, as near as can be to those before."""
     _, rows = _system(found, held)
-    step = (before - _shortest(rows, (rows @ before[..., None])[..., 0])) * _movable(held)
+    changing = (rows @ before[..., None])[..., 0]
+    step = (before - _shortest(rows, changing)) * _movable(held)
     return step / np.maximum(np.linalg.norm(step, axis=1, keepdims=True), 1e-300)
 
 
 def margins(plane: Plane, stand: Stand, found: Slopes) -> Values:
     """What may not fall below zero (m, 3 k + 2).
 
-    In this order: room of the free joints to their lower and to their upper limits, rates of the held joints, how
-    firmly the free ones bend back, and room to axis 1.
+    In this order: room of the free joints to their lower and to their upper limits, rates of the
+    held joints, how firmly the free ones bend back, and room to axis 1.
     """
     endless = np.tile((stand.held != 0) | ~np.isfinite(plane.low), 2)
-    room = np.where(
-        endless, 1.0, np.concatenate([stand.q - plane.low, plane.high - stand.q], axis=1)
-    )
+    to_limits = np.concatenate([stand.q - plane.low, plane.high - stand.q], axis=1)
+    room = np.where(endless, 1.0, to_limits)
     pressed = np.where(stand.held == 0, 1.0, found.rates * stand.held + ROUNDING)
-    r = found.at[:, 0] - AXIS if plane.axes == ("r", "z") else np.ones(len(room))
-    return np.column_stack([room, pressed, _bent_back(found, stand.held), r])
+    to_axis = np.ones(len(room))
+    if plane.axes == ("r", "z"):
+        to_axis = found.at[:, 0] - AXIS
+    return np.column_stack([room, pressed, _bent_back(found, stand.held), to_axis])
 
 
 def _bent_back(found: Slopes, held: Whole) -> Values:
-    """Above zero (m,) where free joints, moved so that the tool stands still to first order, only take it back.
+    """Above zero (m,) where free joints cannot take the tool across by the second order.
 
-    Where no joint is held the tool may pass: the posture is singular all the same.
+    They are moved so that the tool stands still to the first order. Where no joint is held the
+    tool may pass: the posture is singular all the same.
     """
     free = held == 0
     along = np.where(free, found.derivatives[:, :, -1], 0.0)
@@ -151,9 +169,13 @@ def _bent_back(found: Slopes, held: Whole) -> Values:
 
 
 def _system(found: Slopes, held: Whole) -> tuple[Values, Values]:
-    """What is wrong (m, k) with postures, and its derivatives: rates of the free joints; those held stand still."""
+    """What is wrong (m, k) with postures, and its derivatives (m, k, k + 1).
+
+    Rates of the free joints are wrong; joints that are held stand still.
+    """
     fixed = held != 0
-    rows = np.where(fixed[:, :, None], np.eye(held.shape[1], held.shape[1] + 1), found.derivatives)
+    k = held.shape[1]
+    rows = np.where(fixed[:, :, None], np.eye(k, k + 1), found.derivatives)
     return np.where(fixed, 0.0, found.rates), rows
 
 
