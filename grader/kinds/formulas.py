@@ -150,6 +150,10 @@ def _negated(value: ExpressionArray) -> ExpressionArray:
     return ExpressionArray(tuple(negated), value.shape)
 
 
+def _priced(_: Formulas, value: ExpressionArray) -> bool:
+    return bool(value.names)
+
+
 MARKER = Marker(
     read_formulas,
     _compared,
@@ -159,5 +163,5 @@ MARKER = Marker(
     arrays=_arrays,
     has_blocks=_has_blocks,
     found=_found,
-    priced=lambda _, value: bool(value.names),
+    priced=_priced,
 )

@@ -12,7 +12,7 @@ from ...exercises.kinds.results import Result
 from ..collecting.wire import Raw
 from ..reading.unreadable import UNANSWERED, Unreadable
 from .calls import accepted, agreeing, failed_calls, groups_of, said_of_groups, share_of_groups
-from .marker import Comparison, Marker, Wanted
+from .marker import Comparison, Marker, Wanted, is_trivial
 
 CALLED = re.compile(r"\Acall [0-9]+(?: stopped with|:)? ")  # groups number their calls anew
 NOTHING = "not a matrix of numbers: None"  # what the collector says of a call that returned None
@@ -86,4 +86,17 @@ def _shown(_: Results) -> None:
     """Nothing: what is right of it is said group by group."""
 
 
-MARKER = Marker(read_results, _compared, _handed_in, shown=_shown, checked=_checked)
+def _priced(_: Function, value: Results) -> bool:
+    """Whether a call gave numbers that are none of -1, 0 and 1."""
+    arrays = [result for result in value.values if not isinstance(result, str)]
+    return any(not is_trivial(array, 0.0).all() for array in arrays)
+
+
+MARKER = Marker(
+    read_results,
+    _compared,
+    _handed_in,
+    shown=_shown,
+    checked=_checked,
+    priced=_priced,
+)

@@ -204,7 +204,7 @@ class Marker:
     """found(asked, value, right): what explains a wrong answer, from most to least telling."""
 
     priced: Callable[[Any, Any], bool] = _never
-    """priced(answer, value): whether a named mistake leaves points, since nobody guesses such a value."""
+    """priced(answer, value): whether a named mistake leaves points: nobody guesses such a value."""
 
 
 def is_trivial(numbers: Array, allowed: Array | float) -> Mask:

@@ -39,8 +39,8 @@ def said_of_exchanged(agrees: Callable[[Array], bool], own: Array) -> Iterator[N
         return
     for axis, line in ((0, "Rows"), (1, "Columns")):
         for i, j in combinations(range(own.shape[axis]), 2):
-            order = np.arange(own.shape[axis])
-            order[[i, j]] = (j, i)
+            order = [*range(own.shape[axis])]
+            order[i], order[j] = j, i
             exchanged = np.take(own, order, axis=axis)
             if agrees(exchanged):
                 yield Named(f"{line} {i + 1} and {j + 1} are exchanged.", "slip")

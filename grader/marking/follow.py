@@ -14,7 +14,7 @@ Others = Mapping[str, Mapping[str, Any]]
 Peers = Mapping[str, Mapping[str, Any]]
 """Student to what that student handed in for the same exercise, as nested lists."""
 SAME = 2e-3  # two answers this close in every entry were not computed from different numbers
-TELLING = 5  # different numbers that tell whose an answer is: a joint axis is shared by many
+TELLING = 5  # different numbers that tell whose an answer is: many share a joint axis
 RELATED = 0.25  # of an answer's numbers: by chance fewer are among those of the reference
 MOST_ZEROS = 0.25
 
@@ -98,7 +98,8 @@ def is_unrelated(part: Part, reference: Any, answer: Any) -> bool:
 
 def _sizes(array: Any) -> NDArray[np.float64]:
     """The sizes of an array's numbers, without those that are common to everybody."""
-    sizes = np.unique(np.round(np.abs(np.asarray(array, dtype=np.float64)), 4))
+    rounded = np.round(np.abs(np.asarray(array, dtype=np.float64)), 4)
+    sizes = np.unique(np.asarray(rounded, dtype=np.float64))
     return sizes[(sizes != 0) & (sizes != 1)]
 
 
