@@ -107,12 +107,13 @@ class Step:
 class Mistake:
     """A known mistake: the sentence that names the step to look at again, and its wrong answer.
 
-    `fault` says what it costs: a slip of the pen, a right answer presented otherwise, or a concept.
+    `fault` says what it costs: a slip of the pen, a right answer presented otherwise, or a concept;
+    with None such an answer earns nothing by itself.
     """
 
     sentence: str
     solve: Callable[[Variant, Given], Any]
-    fault: Fault = "concept"
+    fault: Fault | None = "concept"
 
 
 @dataclass(frozen=True, eq=False)

@@ -9,15 +9,11 @@ from numpy.typing import NDArray
 from ...exercises.answers import (
     Answer,
     Conditions,
-    Formulas,
     Function,
     Manual,
-    Numbers,
-    TableOf,
     Variant,
 )
 from ...grader.collecting.wire import Raw
-from ...grader.kinds.markers import handed_in
 
 Array = NDArray[np.float64]
 Spoiled = Callable[[Answer, Any, Variant], Raw]
@@ -59,15 +55,6 @@ def _always(raw: Raw) -> Spoiled:
     return same
 
 
-def _transposed(answer: Answer, value: Any, v: Variant) -> Raw:
-    raw = handed_in(answer, value, v)
-    if isinstance(answer, Numbers) and len(answer.shape) > 1:
-        return Raw("num", np.swapaxes(raw.value, -1, -2))
-    if isinstance(answer, TableOf) or (isinstance(answer, Formulas) and len(answer.shape) == 2):
-        return Raw("text", [list(column) for column in zip(*raw.value, strict=True)])
-    return Raw("missing")
-
-
 def _as_empty(answer: Answer, _: Any, __: Variant) -> Raw:
     if isinstance(answer, Conditions):
         return Raw("text", [])
@@ -91,7 +78,6 @@ NONSENSE: dict[str, Spoiled] = {
     "another shape": _filled(lambda shape: np.ones((*shape, 2))),
     "ones((1, 1))": _always(Raw("num", np.ones((1, 1)))),
     "empty": _as_empty,
-    "transposed": _transposed,
     "missing": _always(Raw("missing")),
 }
 """Name to what is handed in for an answer kind, its reference and its variant."""

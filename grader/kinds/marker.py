@@ -48,12 +48,14 @@ class Comparison:
         share: Share of the points, in [0, 1].
         findings: Sentences for the student on what was seen.
         reading: How the question was read, where the part's own check tells.
+        settled: Whether the part's own check says the share, so that a name changes nothing.
     """
 
     right: Any
     share: float
     findings: tuple[str, ...] = ()
     reading: str = ""
+    settled: bool = False
 
     @property
     def all_right(self) -> bool:

@@ -211,7 +211,9 @@ def _judge(sheet: _Sheet, part: Part, wanted: Wanted, answer: Any) -> _Judged:
     names = tuple(named(sheet.key, part, wanted, answer, found.right))
     if not names:
         return _Judged(found, (), found.share, found.findings)
-    share, before = sheet.bill.share(part, names[0], answer)
+    share, before = 0.0, ""
+    if not found.settled:
+        share, before = sheet.bill.share(part, names[0], answer)
     notes = found.findings
     if not found.reading:
         notes = (*notes, *(name.sentence for name in names))
