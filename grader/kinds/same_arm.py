@@ -35,7 +35,10 @@ def describes_same_arm(answer: TableOf, v: Variant, reference: Table, own: Table
 
 
 def repairs(answer: TableOf, v: Variant, reference: Table, own: Table) -> list[str]:
-    """Sentences of the single edits that make the arm's table of it; more than one cannot be told apart."""
+    """Sentences of the single edits that make the arm's table of it.
+
+    Where there is more than one, they cannot be told apart.
+    """
     if own.kinds != answer.kinds:
         return list(_misplaced(answer.kinds, own.kinds))
     wanted = _chain(table_rows(reference, v), answer)
