@@ -174,6 +174,9 @@ def list_share(
 
 
 def listed_right(values: ArrayLike, wanted: ArrayLike, tolerance: float) -> Outcome:
-    """The outcome of a list of configurations where all wanted ones are asked: each wrong one costs one right one."""
+    """The outcome of a list of configurations where all wanted ones are asked.
+
+    Each wrong one costs one right one.
+    """
     right, share = list_share(values, wanted, tolerance)
     return Outcome(right, share=share)

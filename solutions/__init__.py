@@ -2,5 +2,6 @@
 
 if __package__ != "kinegrade.solutions":
     raise ImportError(
-        "Import kinegrade.solutions, not solutions: the folder is one package of the namespace kinegrade."
+        "Import kinegrade.solutions, not solutions: "
+        "the folder is one package of the namespace kinegrade."
     )

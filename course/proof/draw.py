@@ -1,4 +1,7 @@
-"""Proof that one draw of an exercise can be solved, marked and told apart from nonsense and from its known mistakes."""
+"""Proof that one draw of an exercise can be solved and marked.
+
+Its answers are told apart from nonsense and from its known mistakes.
+"""
 
 import sys
 import traceback
@@ -11,6 +14,7 @@ import numpy as np
 from ...exercises.answers import Manual, Numbers
 from ...exercises.exercise import Exercise, solve
 from ...exercises.files.loading import stopped
+from ...grader.collecting.wire import Raw
 from ...grader.kinds.markers import handed_in
 from ...grader.marking.answer_key import AnswerKey
 from ...grader.marking.mark import mark, mark_part
@@ -26,6 +30,10 @@ LARGEST = 1e5  # a number that is still printed and typed with pleasure
 RENDERED = 2  # draws whose sheets are made in full, with figures
 
 
+Found = Iterator[tuple[str, str]]
+"""Variables of parts, empty where a finding is about the whole, with a sentence each."""
+
+
 @dataclass(frozen=True)
 class Failure:
     """What is wrong with one draw of an exercise; `part` is empty where it is about the whole."""
@@ -39,129 +47,146 @@ class Failure:
 def failures_of(exercise: Exercise, v: dict[str, Any], seed: int) -> Iterator[Failure]:
     """All that is wrong with one draw, each under the first kind of proof that it spoils."""
     key = AnswerKey(exercise, v)
+    proofs = {
+        "full marks": _without_full_marks(exercise, v, key),
+        "nonsense": _paid_nonsense(exercise, v, key),
+        "mistakes": _unnamed_mistakes(exercise, v, key),
+        "printable": _unprintable(exercise, key),
+        "render": _unrendered(exercise, v, key),
+        "solution": _unsolved(exercise, v, key, seed),
+    }
     known: set[tuple[str, str]] = set()
-    for kind, found in (
-        ("full marks", _without_full_marks(exercise, v, key)),
-        ("nonsense", _paid_nonsense(exercise, v, key)),
-        ("mistakes", _unnamed_mistakes(exercise, v, key)),
-        ("printable", _unprintable(exercise, key)),
-        ("render", _unrendered(exercise, v, key)),
-        ("solution", _unsolved(exercise, v, key, seed)),
-    ):
+    for kind, found in proofs.items():
         for part, sentence in _told(found):
-            if (part, sentence) not in known:
-                known.add((part, sentence))
-                yield Failure(kind, seed, part, sentence)
+            if (part, sentence) in known:
+                continue
+            known.add((part, sentence))
+            yield Failure(kind, seed, part, sentence)
 
 
-def _told(found: "Found") -> list[tuple[str, str]]:
+def _told(found: Found) -> list[tuple[str, str]]:
     """What was found, and in place of what follows from an exception, the exception."""
     told: list[tuple[str, str]] = []
     with marking_failures() as errors:
         try:
             told.extend(found)
-        except Exception as error:  # noqa: BLE001 - an exercise file may fail in any way; that is the finding
+        except Exception as error:  # noqa: BLE001 - whatever an exercise file raises is the finding
             told.append(("", because(error)))
-    broken = {part: f"marking stopped with {stopped(error)}" for part, error in errors}
-    return [*broken.items(), *((part, sentence) for part, sentence in told if part not in broken)]
+
+    broken: dict[str, str] = {}
+    for variable, error in errors:
+        broken[variable] = f"marking stopped with {stopped(error)}"
+    others = [(variable, sentence) for variable, sentence in told if variable not in broken]
+    return [*broken.items(), *others]
 
 
 def because(error: Exception) -> str:
     """The sentence of an exception; its traceback only where it was asked for."""
     if debugging():
         traceback.print_exception(error, file=sys.stderr)
-    return str(error) if isinstance(error, KinegradeError) else f"it stopped with {stopped(error)}"
+    if isinstance(error, KinegradeError):
+        return str(error)
+    return f"it stopped with {stopped(error)}"
 
 
-Found = Iterator[tuple[str, str]]
+def raws_of(exercise: Exercise, answers: dict[str, Any], v: dict[str, Any]) -> dict[str, Raw]:
+    """What a student hands in whose answers are these, by variable."""
+    raws: dict[str, Raw] = {}
+    for part in exercise.asked:
+        raws[part.variable] = handed_in(part.answer, answers[part.variable], v)
+    return raws
 
 
 def _without_full_marks(exercise: Exercise, v: dict[str, Any], key: AnswerKey) -> Found:
-    """The reference, and what a student gets who rounds every answer to the asked decimals and goes on with it."""
-    for how, answers in (
-        ("", key.reference),
-        (" at the asked decimals", _worked_with_rounding(exercise, v)),
-    ):
-        raws = {
-            part.variable: handed_in(part.answer, answers[part.variable], v)
-            for part in exercise.asked
-        }
-        for part, verdict in zip(exercise.asked, mark(exercise, v, raws, key=key), strict=True):
-            if not isinstance(part.answer, Manual) and verdict.points != part.points:
-                said = " ".join(finding.text for finding in verdict.findings)
-                yield (
-                    part.variable,
-                    f"the solution{how} earns {verdict.points} of {part.points:g}. {said}",
-                )
+    """What the reference lacks, and what a student lacks who goes on with rounded answers."""
+    rounded = _worked_with_rounding(exercise, v)
+    yield from _short_of_full_marks(exercise, v, key, "the solution", key.reference)
+    yield from _short_of_full_marks(exercise, v, key, "the solution at the asked decimals", rounded)
+
+
+def _short_of_full_marks(
+    exercise: Exercise, v: dict[str, Any], key: AnswerKey, what: str, answers: dict[str, Any]
+) -> Found:
+    raws = raws_of(exercise, answers, v)
+    for part, verdict in zip(exercise.asked, mark(exercise, v, raws, key=key), strict=True):
+        if isinstance(part.answer, Manual) or verdict.points == part.points:
+            continue
+        said = " ".join(finding.text for finding in verdict.findings)
+        earned = f"{verdict.points} of {part.points:g}"
+        yield part.variable, f"{what} earns {earned}. {said}"
 
 
 def _worked_with_rounding(exercise: Exercise, v: dict[str, Any]) -> dict[str, Any]:
+    """Answers that are each rounded to the asked decimals before others are computed from them."""
     given: dict[str, Any] = {}
     for part in exercise.parts:
-        value = solve(exercise.slug, part, v, {name: given[name] for name in part.needs})
-        given[part.variable] = part.answer.rounded(value) if part.asked else value
+        needed = {name: given[name] for name in part.needs}
+        value = solve(exercise.slug, part, v, needed)
+        if part.asked:
+            value = part.answer.rounded(value)
+        given[part.variable] = value
     return given
 
 
 def _paid_nonsense(exercise: Exercise, v: dict[str, Any], key: AnswerKey) -> Found:
+    """Parts that earn points by nonsense, or in which it is not marked at all."""
     for name, spoil in NONSENSE.items():
-        raws = {
-            part.variable: spoil(part.answer, key.reference[part.variable], v)
-            for part in exercise.asked
-        }
-        for verdict in mark(exercise, v, raws, key=key):
-            if verdict.points or (
-                verdict.points is None and not _is_manual(exercise, verdict.part)
-            ):
-                yield verdict.part, f"{name} earns {verdict.points} of {verdict.out_of:g}"
+        raws: dict[str, Raw] = {}
+        for part in exercise.asked:
+            raws[part.variable] = spoil(part.answer, key.reference[part.variable], v)
 
-
-def _is_manual(exercise: Exercise, variable: str) -> bool:
-    return any(
-        part.variable == variable and isinstance(part.answer, Manual) for part in exercise.asked
-    )
+        for part, verdict in zip(exercise.asked, mark(exercise, v, raws, key=key), strict=True):
+            left_to_a_person = verdict.points is None and isinstance(part.answer, Manual)
+            if verdict.points == 0 or left_to_a_person:
+                continue
+            yield part.variable, f"{name} earns {verdict.points} of {verdict.out_of:g}"
 
 
 def _unnamed_mistakes(exercise: Exercise, v: dict[str, Any], key: AnswerKey) -> Found:
     """Known mistakes that give the right answer, or have no name."""
     for part in exercise.asked:
-        for sentence, mistaken in key.mistaken(part, key.wanted(part)):
+        for named, mistaken in key.mistaken(part, key.wanted(part)):
             verdict = mark_part(key, part, handed_in(part.answer, mistaken.value, v))
             if verdict.status == "correct":
-                yield part.variable, f"this known mistake gives the right answer: {sentence}"
+                yield part.variable, f"this known mistake gives the right answer: {named.sentence}"
             elif not verdict.findings and not verdict.reading:
-                yield part.variable, f"this known mistake is not named: {sentence}"
+                yield part.variable, f"this known mistake is not named: {named.sentence}"
 
 
 def _unprintable(exercise: Exercise, key: AnswerKey) -> Found:
+    """Answers of numbers that are too large to type, or too small to be seen."""
     for part in exercise.asked:
-        if isinstance(part.answer, Numbers):
-            sizes = np.abs(np.asarray(key.reference[part.variable]))
-            if sizes.max() >= LARGEST:
-                yield part.variable, f"an entry is as large as {sizes.max():.3g}"
-            if not np.round(sizes, part.answer.decimals).any():
-                yield part.variable, f"all entries are zero at {part.answer.decimals} decimals"
+        if not isinstance(part.answer, Numbers):
+            continue
+        decimals = part.answer.decimals
+        sizes = np.abs(np.asarray(key.reference[part.variable]))
+        if sizes.max() >= LARGEST:
+            yield part.variable, f"an entry is as large as {sizes.max():.3g}"
+        if not np.round(sizes, decimals).any():
+            yield part.variable, f"all entries are zero at {decimals} decimals"
 
 
 def _unrendered(exercise: Exercise, v: dict[str, Any], key: AnswerKey) -> Found:
-    """Texts and worked solution."""
+    """Texts that cannot be shown: of the exercise, its parts and their worked solutions."""
     texts = [exercise.statement(v)]
     for part in exercise.asked:
-        page_text(part.prompt)
+        page_text(part.prompt)  # raises on a formula that pages cannot show
         texts += [part.prompt, *part.hints, *worked_steps(part, v, key.reference)]
         for mistake in part.mistakes:
             if "$" in mistake.sentence:
-                yield (
-                    part.variable,
-                    f"a finding is plain text, without LaTeX: {mistake.sentence[:60]}",
-                )
+                start = mistake.sentence[:60]
+                yield part.variable, f"a finding is plain text, without LaTeX: {start}"
     for text in texts:
         if text.count("$") % 2:
             yield "", f"a dollar sign is left open in: {text[:60]}"
 
 
 def _unsolved(exercise: Exercise, v: dict[str, Any], key: AnswerKey, seed: int) -> Found:
-    """What cannot be asked; of the first draws the notebooks, of the very first the worked solution run and marked."""
+    """What cannot be asked, and what the notebooks lack.
+
+    They take time, so they are made of the first draws; of the very first, the worked solution is
+    run and marked.
+    """
     known = unasked(exercise, v, key)
     yield from known.items()
     if seed >= RENDERED:

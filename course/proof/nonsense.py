@@ -1,6 +1,9 @@
-"""What nobody shall get a point for: zeros, ones, another shape, the answer transposed, one result for all inputs."""
+"""What nobody shall get a point for.
 
-from collections.abc import Callable
+Zeros, ones, another shape, the answer transposed, one result for all inputs.
+"""
+
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
@@ -17,38 +20,58 @@ from ...grader.collecting.wire import Raw
 
 Array = NDArray[np.float64]
 Spoiled = Callable[[Answer, Any, Variant], Raw]
+"""What is handed in for an answer kind, its reference and its variant."""
 
 
 def _filled(fill: Callable[[tuple[int, ...]], Array]) -> Spoiled:
-    """Numbers of the asked shape, whatever the kind; a function that returns them for every input."""
+    """Numbers of the asked shape, whatever the kind.
+
+    In place of a function, one that returns them for every input.
+    """
 
     def raw(answer: Answer, value: Any, v: Variant) -> Raw:
-        if isinstance(answer, Function):
-            results = [np.asarray(value(*call)) for call in answer.calls(v)]
-            return Raw("calls", [Raw("num", fill(result.shape)) for result in results])
-        return Raw("num", fill(answer.array_shape))
+        if not isinstance(answer, Function):
+            return Raw("num", fill(answer.array_shape))
+        results: list[Raw] = []
+        for call in answer.calls(v):
+            right = np.asarray(value(*call))
+            results.append(Raw("num", fill(right.shape)))
+        return Raw("calls", results)
 
     return raw
 
 
 def _identity(shape: tuple[int, ...]) -> Array:
-    if len(shape) < 2:
-        return np.eye(1, shape[0])[0] if shape else np.ones(())
+    """Ones on the diagonal of every matrix; of a vector, the first unit vector."""
+    if not shape:
+        return np.ones(())
+    if len(shape) == 1:
+        return np.eye(1, shape[0])[0]
     return np.broadcast_to(np.eye(shape[-2], shape[-1]), shape).copy()
 
 
 def _commonest(answer: Answer, value: Any, v: Variant) -> Raw:
-    """A function that returns for every input what is right for most of them; nothing, where all results differ."""
+    """A function that returns for every input what is right for most of them.
+
+    Where all results differ it is nothing.
+    """
     if not isinstance(answer, Function):
         return Raw("missing")
     results = [np.asarray(value(*call), dtype=float) for call in answer.calls(v)]
-    often = [sum(np.array_equal(result, other) for other in results) for result in results]
+    often = [_count(result, results) for result in results]
     if max(often, default=0) < 2:
         return Raw("missing")
-    return Raw("calls", [Raw("num", results[int(np.argmax(often))])] * len(results))
+    commonest = Raw("num", results[int(np.argmax(often))])
+    return Raw("calls", [commonest] * len(results))
+
+
+def _count(result: Array, results: Sequence[Array]) -> int:
+    return sum(np.array_equal(result, other) for other in results)
 
 
 def _always(raw: Raw) -> Spoiled:
+    """The same, whatever is asked."""
+
     def same(_: Answer, __: Any, ___: Variant) -> Raw:
         return raw
 
@@ -62,7 +85,9 @@ def _as_empty(answer: Answer, _: Any, __: Variant) -> Raw:
 
 
 def _quoted_x(answer: Answer, _: Any, __: Variant) -> Raw:
-    return Raw("missing") if isinstance(answer, Manual) else Raw("text", "x")
+    if isinstance(answer, Manual):  # a person reads it
+        return Raw("missing")
+    return Raw("text", "x")
 
 
 NONSENSE: dict[str, Spoiled] = {
@@ -80,4 +105,4 @@ NONSENSE: dict[str, Spoiled] = {
     "empty": _as_empty,
     "missing": _always(Raw("missing")),
 }
-"""Name to what is handed in for an answer kind, its reference and its variant."""
+"""What is handed in, by the name under which `validate` tells of it."""

@@ -1,4 +1,4 @@
-"""An exercise as its people see it, on one page: sheet, worked solution, feedback of every known mistake."""
+"""An exercise as its people see it, on one page: sheet, solution, feedback of known mistakes."""
 
 from typing import Any
 
@@ -11,13 +11,13 @@ from ...grader.collecting.wire import Raw
 from ...grader.kinds.markers import handed_in
 from ...grader.marking.answer_key import AnswerKey
 from ...grader.marking.mark import mark
-from ...grader.marking.verdict import Verdict
 from ..drawn import drawn
 from ..escape import no_markup
 from ..markdown import markdown_html
 from ..pages import feedback_block, template
 from ..sheet.notebook import given_cell, prompt_text, question_text, worked_steps
 from ..words import points_text
+from .draw import raws_of
 
 
 def preview_page(exercise: Exercise, seed: int) -> str:
@@ -28,10 +28,7 @@ def preview_page(exercise: Exercise, seed: int) -> str:
     """
     v = drawn(exercise, np.random.default_rng(seed))
     key = AnswerKey(exercise, v)
-    right = {
-        part.variable: handed_in(part.answer, key.reference[part.variable], v)
-        for part in exercise.asked
-    }
+    right = raws_of(exercise, key.reference, v)
     return template("preview.html").render(
         exercise=exercise,
         seed=seed,
@@ -47,40 +44,34 @@ def _html(text: str) -> Markup:
 
 
 def _part(key: AnswerKey, part: Part, right: dict[str, Raw]) -> dict[str, Any]:
+    """What the page shows of one part."""
+    reference = key.reference[part.variable]
     solution = [_html(step) for step in worked_steps(part, dict(key.v), key.reference)]
     if isinstance(part.answer, Manual):
-        solution.append(
-            _html(
-                "\n".join(f"- {points:g}: {no_markup(text)}" for points, text in part.answer.rubric)
-            )
-        )
+        solution.append(_html(_rubric(part.answer)))
+
+    mistakes: list[dict[str, Any]] = []
+    for named, wanted in key.mistaken(part, key.wanted(part)):
+        mistake = _mistake(key, part, right, wanted.value)
+        mistakes.append({"sentence": named.sentence, **mistake})
     return {
         "variable": part.variable,
         "prompt": _html(prompt_text(part, hints=True)),
         "needs": part.needs,
         "solution": solution,
-        "code": part.answer.code(part.variable, key.reference[part.variable]),
-        "mistakes": [_mistake(key, part, right, known) for known in _mistaken(key, part)],
+        "code": part.answer.code(part.variable, reference),
+        "mistakes": mistakes,
     }
 
 
-def _mistaken(key: AnswerKey, part: Part) -> list[tuple[str, Any]]:
-    return [(sentence, wanted.value) for sentence, wanted in key.mistaken(part, key.wanted(part))]
+def _rubric(answer: Manual) -> str:
+    return "\n".join(f"- {points:g}: {no_markup(text)}" for points, text in answer.rubric)
 
 
-def _mistake(
-    key: AnswerKey, part: Part, right: dict[str, Raw], known: tuple[str, Any]
-) -> dict[str, Any]:
-    """The feedback of a sheet that is right but for this mistake, and what the whole sheet loses by it."""
-    sentence, value = known
+def _mistake(key: AnswerKey, part: Part, right: dict[str, Raw], value: Any) -> dict[str, Any]:
+    """The feedback of a sheet that is right but for this value, and what the part loses by it."""
     raws = {**right, part.variable: handed_in(part.answer, value, key.v)}
     verdicts = {verdict.part: verdict for verdict in mark(key.exercise, key.v, raws, key=key)}
-    return {
-        "sentence": sentence,
-        "feedback": feedback_block(part, verdicts[part.variable]),
-        "loses": f"{part.points - _earned(verdicts[part.variable]):g}",
-    }
-
-
-def _earned(verdict: Verdict) -> float:
-    return verdict.points or 0.0
+    verdict = verdicts[part.variable]
+    lost = part.points - (verdict.points or 0.0)
+    return {"feedback": feedback_block(part, verdict), "loses": f"{lost:g}"}

@@ -1,7 +1,9 @@
-"""pytest where exercises lie: every file of an exercises/ folder that defines one is validated, with no set-up.
+# pyright: reportUnknownMemberType=false
+"""pytest where exercises lie: every file of an exercises/ folder that defines one is validated.
 
-Draws of each are the option --kinegrade-draws, or the ini value `kinegrade_draws` (before: `kinegrade_seeds`), or 20.
-The exercises of this package are not collected: its own tests prove them, and theirs is another folder.
+It takes no set-up. Draws of each are the option --kinegrade-draws, or the ini value
+`kinegrade_draws` (before: `kinegrade_seeds`), or 20. The exercises of this package are not
+collected: its own tests prove them, and theirs is another folder.
 """
 
 from pathlib import Path
@@ -45,13 +47,13 @@ def draws(config: pytest.Config) -> int:
     Raises:
         pytest.UsageError: it is no positive whole number.
     """
-    given = {
-        OPTION: str(config.getoption(OPTION)),
-        **{name: str(config.getini(name)) for name in INI},
-    }
-    for name, text in given.items():
-        if text.strip():
-            return _positive(name, text.strip())
+    given: dict[str, Any] = {OPTION: config.getoption(OPTION)}
+    for name in INI:
+        given[name] = config.getini(name)
+    for name, value in given.items():
+        text = str(value).strip()
+        if text:
+            return _positive(name, text)
     return int(DRAWS)
 
 
@@ -71,7 +73,7 @@ def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> "ExerciseF
 
     if not defines_exercise(file_path):
         return None
-    found: ExerciseFile = ExerciseFile.from_parent(parent, path=file_path)  # pyright: ignore[reportUnknownMemberType]
+    found: ExerciseFile = ExerciseFile.from_parent(parent, path=file_path)
     return found
 
 
@@ -80,7 +82,7 @@ class ExerciseFile(pytest.File):
 
     def collect(self) -> "Iterator[ExerciseItem]":
         """The item that validates the file."""
-        yield ExerciseItem.from_parent(self, name="is_valid")  # pyright: ignore[reportUnknownMemberType]
+        yield ExerciseItem.from_parent(self, name="is_valid")
 
 
 class ExerciseItem(pytest.Item):
@@ -88,7 +90,8 @@ class ExerciseItem(pytest.Item):
 
     def runtest(self) -> None:
         """Raises InvalidExercise with all that failed."""
-        from .validate import summary, validate_file
+        from .validate import validate_file
+        from .validation import summary
 
         validation = validate_file(self.path, draws(self.config))
         if validation.failures:

@@ -1,4 +1,4 @@
-"""Proof that the worked solution of an exercise runs: its notebook, collected and marked as a student's would be."""
+"""Proof that the worked solution of an exercise runs: collected and marked as a student's."""
 
 from collections.abc import Collection, Iterator
 from pathlib import Path
@@ -13,23 +13,29 @@ from ..sheet.submissions import READERS, Submission
 
 
 def unasked(exercise: Exercise, v: dict[str, Any], key: AnswerKey) -> dict[str, str]:
-    """Functions that cannot be printed, and calls that cannot be made, whatever the file they are asked of."""
-    found = dict[str, str]()
+    """Functions that cannot be printed, and calls that cannot be made, of whatever file.
+
+    Variables with a sentence each.
+    """
+    found: dict[str, str] = {}
     for part in exercise.asked:
-        if isinstance(part.answer, Function):
-            sentence = part.answer.unprintable(part.variable, key.reference[part.variable])
-            if sentence:
-                found[part.variable] = sentence
+        if not isinstance(part.answer, Function):
+            continue
+        sentence = part.answer.unprintable(part.variable, key.reference[part.variable])
+        if sentence:
+            found[part.variable] = sentence
     for suffix in READERS:
-        asks = Submission(Path(f"solution{suffix}"), b"").asks(exercise, v)
-        found |= {ask.name: ask.hindrance for ask in asks if ask.hindrance}
+        submission = Submission(Path(f"solution{suffix}"), b"")
+        for ask in submission.asks(exercise, v):
+            if ask.hindrance:
+                found[ask.name] = ask.hindrance
     return found
 
 
 def unsolved(
     exercise: Exercise, v: dict[str, Any], key: AnswerKey, solution: bytes, known: Collection[str]
 ) -> Iterator[tuple[str, str]]:
-    """Parts that the notebook with the worked solution does not earn in full, each with a sentence.
+    """Parts that the notebook with the worked solution does not earn in full, with a sentence each.
 
     Parts that are `known` to be at fault are left out; where no notebook can run, all are.
     """
@@ -38,14 +44,10 @@ def unsolved(
     submission = Submission(Path("solution.ipynb"), solution)
     raws = submission.raws(submission.asks(exercise, v), Limits())
     for part, verdict in zip(exercise.asked, mark(exercise, v, raws, key=key), strict=True):
-        if (
-            part.variable in known
-            or isinstance(part.answer, Manual)
-            or verdict.points == part.points
-        ):
+        if part.variable in known or isinstance(part.answer, Manual):
+            continue
+        if verdict.points == part.points:
             continue
         said = " ".join(finding.text for finding in verdict.findings)
-        yield (
-            part.variable,
-            f"the notebook with the worked solution earns {verdict.points} of {part.points:g}. {said}",
-        )
+        earned = f"{verdict.points} of {part.points:g}"
+        yield part.variable, f"the notebook with the worked solution earns {earned}. {said}"

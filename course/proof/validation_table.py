@@ -2,7 +2,7 @@
 
 import json
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import asdict
 
 from rich.box import SIMPLE_HEAD
@@ -11,17 +11,21 @@ from rich.markup import escape
 from rich.table import Table
 
 from ..console import say
-from .validate import KINDS, Validation, summary
+from .validation import KINDS, Validation, summary
+
+WIDE = 180  # columns, where no terminal says how many it has
 
 
 def show_validations(validations: Sequence[Validation]) -> None:
     """One line for every exercise on stdout, then the first failures of each."""
-    console = Console() if sys.stdout.isatty() else Console(width=180)
+    console = Console() if sys.stdout.isatty() else Console(width=WIDE)
     console.print(table_of(validations))
+
+    failed = 0
     for validation in validations:
+        failed += bool(validation.failures)
         for line in summary(validation):
             print(f"✗ {validation.slug}: {line}")  # noqa: T201 - data of the command
-    failed = sum(bool(validation.failures) for validation in validations)
     say(f"{len(validations) - failed} of {len(validations)} exercises are valid.")
 
 
@@ -33,21 +37,26 @@ def table_of(validations: Sequence[Validation]) -> Table:
         table.add_column(name, justify="right", no_wrap=True)
     table.add_column("source")
     for validation in validations:
-        failed = {kind: {f.seed for f in validation.failures if f.kind == kind} for kind in KINDS}
         table.add_row(
             validation.slug,
             str(validation.parts),
             f"{validation.points:g}",
             str(validation.draws),
             f"{1000 * validation.seconds_to_draw:.1f} ms",
-            *(f"✗ {len(failed[kind])}" if failed[kind] else "✓" for kind in KINDS),
+            *_outcomes(validation),
             escape(validation.source),
         )
     return table
 
 
+def _outcomes(validation: Validation) -> Iterator[str]:
+    """A cell for every kind of proof."""
+    for kind in KINDS:
+        failed = {failure.seed for failure in validation.failures if failure.kind == kind}
+        yield f"✗ {len(failed)}" if failed else "✓"
+
+
 def validations_json(validations: Sequence[Validation]) -> str:
     """Everything a script would want."""
-    return json.dumps(
-        [asdict(validation) for validation in validations], indent=2, ensure_ascii=False
-    )
+    data = [asdict(validation) for validation in validations]
+    return json.dumps(data, indent=2, ensure_ascii=False)

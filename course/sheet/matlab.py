@@ -1,10 +1,9 @@
-"""A sheet's starting point for MATLAB: numbers, blanks and the line that saves what is handed in."""
+"""A sheet's starting point for MATLAB: numbers, blanks, and a line that saves the answers."""
 
-import math
 import re
 import textwrap
 from collections.abc import Iterator, Sequence
-from typing import Any, cast
+from typing import Any
 
 from ...exercises.answers import Choice, Function
 from ...exercises.exercise import Exercise, Part, Rows
@@ -12,18 +11,14 @@ from ...exercises.kinds.manual import is_on_paper
 from ..config import SCRIPT_NAME, CourseError, Sheet, Student
 from ..escape import printable
 from ..words import points_text
+from .given import Pair, given, unit_names
+from .matlab_literal import literal, literal_lines
 
-Pair = tuple[Exercise, dict[str, Any]]
+__all__ = ["literal", "starter"]
+
 WIDTH = 100
-LONG = 72  # of a matrix, beside its name and unit
-NEWLINE = "\n"
-UNREADABLE = (
-    "$",
-    "\\",
-    "|",
-    "](",
-    "<",
-)  # formulas, tables, links and markup: those are read in the notebook
+FORMATTED = ("$", "\\", "|", "](", "<")
+"""Formulas, tables, links and markup: what has them is read in the notebook."""
 STACKED: dict[Rows, str] = {
     "linear, angular": "linear rows above angular",
     "angular, linear": "angular rows above linear",
@@ -31,25 +26,33 @@ STACKED: dict[Rows, str] = {
 
 
 def starter(course: str, sheet: Sheet, student: Student, pairs: Sequence[Pair]) -> str:
-    """The text of a MATLAB script, a section for every exercise; the same for the same student, every time.
+    """The text of a MATLAB script with a section for every exercise, the same every time.
 
     Raises:
-        CourseError: a variable has a name that MATLAB does not take, or a drawn number that it cannot be given.
+        CourseError: a variable has a name that MATLAB does not take, or a drawn number is of a kind
+            that MATLAB has no word for.
     """
-    parts = [part for exercise, _ in pairs for part in exercise.asked]
-    handed_in = [part for part in parts if not is_on_paper(part.answer)]
-    for name in [part.variable for part in handed_in]:
-        if not SCRIPT_NAME.fullmatch(name):
+    handed_in = _handed_in(pairs)
+    for part in handed_in:
+        if not SCRIPT_NAME.fullmatch(part.variable):
             raise CourseError(
-                f"sheet {sheet.name}: {name} is no name in MATLAB (ASCII, at most 63 characters)"
+                f"sheet {sheet.name}: {part.variable} is no name in MATLAB "
+                "(ASCII, at most 63 characters)"
             )
+
     lines = [*_heading(course, sheet, student), ""]
     for number, (exercise, v) in enumerate(pairs, 1):
-        lines += [f"%% {number}. {_one_line(exercise.title)} ({points_text(exercise.points)})"]
-        lines += [*_statement(exercise, sheet, v), *_given(exercise, v), ""]
-        for part in exercise.asked:
-            lines += [*_blank(part, (exercise, v)), ""]
-    return "\n".join([*lines, *_saving(sheet, handed_in)]) + "\n"
+        lines += _section(number, exercise, v, sheet)
+    lines += _saving(sheet, handed_in)
+    return "\n".join(lines) + "\n"
+
+
+def _handed_in(pairs: Sequence[Pair]) -> list[Part]:
+    """All parts of a sheet but those that are done on paper."""
+    parts: list[Part] = []
+    for exercise, _ in pairs:
+        parts += [part for part in exercise.asked if not is_on_paper(part.answer)]
+    return parts
 
 
 def _heading(course: str, sheet: Sheet, student: Student) -> Iterator[str]:
@@ -57,145 +60,81 @@ def _heading(course: str, sheet: Sheet, student: Student) -> Iterator[str]:
     yield from _comment(f"{course}, sheet {sheet.name}, {student.name} ({student.id})")
     yield "%"
     yield from _comment(
-        f"The questions with formulas and figures stand in {sheet.name}.ipynb. The numbers below are yours alone. Fill "
-        f"in the blanks, keep the names of the variables, run the whole script, and hand in {sheet.name}.mat."
+        f"The questions with formulas and figures stand in {sheet.name}.ipynb. The numbers below "
+        "are yours alone. Fill in the blanks, keep the names of the variables, run the whole "
+        f"script, and hand in {sheet.name}.mat."
     )
     yield from _comment(
-        "Units are metres, radians and seconds. Text stands in single quotes: text in double quotes and symbolic "
-        "objects cannot be read outside MATLAB; char(...) turns both into text. What is left empty is not answered."
+        "Units are metres, radians and seconds. Text stands in single quotes: text in double "
+        "quotes and symbolic objects cannot be read outside MATLAB; char(...) turns both into "
+        "text. What is left empty is not answered."
     )
 
 
-def _statement(exercise: Exercise, sheet: Sheet, v: dict[str, Any]) -> Iterator[str]:
-    text = exercise.statement(v)
-    if _readable(text):
-        for paragraph in re.split(r"\n\s*\n", text):
-            yield from _comment(paragraph)
-    else:
+def _section(number: int, exercise: Exercise, v: dict[str, Any], sheet: Sheet) -> Iterator[str]:
+    """One exercise: its question, its numbers, and a blank for every part."""
+    yield f"%% {number}. {_one_line(exercise.title)} ({points_text(exercise.points)})"
+    yield from _statement(exercise.statement(v), sheet)
+    yield from _numbers(exercise, v)
+    yield ""
+    for part in exercise.asked:
+        yield from _question(part)
+        yield from _blank(part, exercise, v)
+        yield ""
+
+
+def _statement(text: str, sheet: Sheet) -> Iterator[str]:
+    if not _is_plain(text):
         yield from _comment(f"The question: {sheet.name}.ipynb, number and title as here.")
+        return
+    for paragraph in re.split(r"\n\s*\n", text):
+        yield from _comment(paragraph)
 
 
-def _given(exercise: Exercise, v: dict[str, Any]) -> Iterator[str]:
+def _numbers(exercise: Exercise, v: dict[str, Any]) -> Iterator[str]:
     """The printed numbers, under the names that they have in the notebook."""
-    for name, unit in exercise.units.items():
-        if name in v:
-            units = ", ".join(dict.fromkeys(_units(unit)))
-            yield _continued(
-                [f"{exercise.slug}_{name} = ", *_pieces(v[name]), f";  % [{_one_line(units)}]"]
-            )
+    for name, value, unit in given(exercise, v):
+        units = _one_line(", ".join(unit_names(unit)))
+        yield _statement_of(f"{exercise.slug}_{name} = ", literal_lines(value), f";  % [{units}]")
 
 
-def _pieces(value: Any) -> list[str]:
-    """A value as MATLAB writes it; the rows of a matrix, and the fields of a dict, each in a piece if it is long."""
-    text = literal(value)
-    if isinstance(value, dict) and len(text) > LONG:
-        first, *others = _fields(cast("dict[Any, Any]", value))
-        return _closed([f"struct({first}", *others])
-    return (
-        re.split(r"(?<=;) ", text)
-        if len(text) > LONG and re.fullmatch(r"\[[^'{]*\]", text)
-        else [text]
-    )
+def _statement_of(start: str, lines: Sequence[str], end: str) -> str:
+    """A statement around a value, which goes on over all lines of the value."""
+    value = " ...\n    ".join(lines)
+    return f"{start}{value}{end}"
 
 
-def _closed(fields: Sequence[str]) -> list[str]:
-    """Fields of a structure with the commas between them and the bracket at the end."""
-    return [*(f"{field}," for field in fields[:-1]), f"{fields[-1]})"]
+def _question(part: Part) -> Iterator[str]:
+    """What a part asks; in the notebook alone where it has formulas."""
+    question = f"{part.variable} ({points_text(part.points)})"
+    if _is_plain(part.prompt):
+        question += f": {part.prompt}."
+    yield from _comment(question)
 
 
-def _continued(pieces: Sequence[str]) -> str:
-    """The head, pieces and end of a statement, over several lines where there is more than one piece."""
-    head, *middle, end = pieces
-    return f"{head}{f' ...{NEWLINE}    '.join(middle)}{end}"
-
-
-def _units(unit: Any) -> Iterator[str]:
-    if isinstance(unit, str):
-        yield unit
-    else:
-        for inner in unit:
-            yield from _units(inner)
-
-
-def literal(value: Any) -> str:
-    """A value as MATLAB writes it: numbers, text, rows; lists of matrices and of mixed things are cell arrays.
-
-    A dict is a structure of fields; a field that holds a cell array stands in a second pair of braces, without which
-    MATLAB would make an array of structures.
-
-    Raises:
-        CourseError: it is of another kind, or a name in a dict is none in MATLAB.
-    """
-    if hasattr(value, "tolist"):
-        return literal(value.tolist())
-    if value is None or isinstance(value, bool):
-        return {None: "[]", True: "true", False: "false"}[value]
-    if isinstance(value, int | float):
-        return {math.inf: "Inf", -math.inf: "-Inf"}.get(
-            value, "NaN" if math.isnan(value) else repr(value)
-        )
-    if isinstance(value, str):
-        return _char(value)
-    if isinstance(value, list | tuple):
-        return _rows([*value])  # pyright: ignore[reportUnknownArgumentType]
-    if isinstance(value, dict):
-        return f"struct({', '.join(_fields(cast('dict[Any, Any]', value)))})"
-    raise CourseError(
-        f"a value on a sheet with matlab = true takes numbers, text, lists and dicts, got {value!r:.60}"
-    )
-
-
-def _fields(value: dict[Any, Any]) -> Iterator[str]:
-    for name, inner in value.items():
-        if not isinstance(name, str) or not SCRIPT_NAME.fullmatch(name):
-            raise CourseError(
-                f"a dict on a sheet with matlab = true takes names of MATLAB, such as 'kinds', got {name!r}"
-            )
-        text = literal(inner)
-        yield f"{_char(name)}, {f'{{{text}}}' if text.startswith('{') else text}"
-
-
-def _rows(items: list[Any]) -> str:
-    if all(isinstance(item, int | float) for item in items):
-        return f"[{', '.join(map(literal, items))}]"
-    rows: list[Any] = [item for item in items if isinstance(item, list | tuple) and item]
-    numeric = len(rows) == len(items) and all(
-        isinstance(x, int | float) for row in rows for x in row
-    )
-    if numeric and len({len(row) for row in rows}) == 1:
-        return f"[{'; '.join(', '.join(map(literal, row)) for row in rows)}]"
-    return f"{{{', '.join(map(literal, items))}}}"
-
-
-def _char(text: str) -> str:
-    """Text in single quotes, which end at nothing but a single quote; line breaks are joined in by number."""
-    pieces = ["'" + printable(line).replace("'", "''") + "'" for line in text.splitlines()] or [
-        "''"
-    ]
-    return pieces[0] if len(pieces) == 1 else f"[{', 10, '.join(pieces)}]"
-
-
-def _blank(part: Part, pair: Pair) -> Iterator[str]:
-    """Comments and a blank for one part."""
-    head = f"{part.variable} ({points_text(part.points)})"
-    yield from _comment(f"{head}: {part.prompt}." if _readable(part.prompt) else head)
-    answer, (exercise, v) = part.answer, pair
+def _blank(part: Part, exercise: Exercise, v: dict[str, Any]) -> Iterator[str]:
+    """Where a part is answered, with what its answer looks like."""
+    answer = part.answer
     if is_on_paper(answer):
         yield from _comment("On paper: nothing is expected in this file.")
         return
+    if isinstance(answer, Function):
+        calls = answer.published_calls(v)
+        if calls:
+            yield from _published(part.variable, answer, calls)
+            return
     if isinstance(answer, Choice):
         yield from _options(answer)
-    calls = answer.published_calls(v) if isinstance(answer, Function) else []
-    if isinstance(answer, Function) and calls:
-        yield from _published(part.variable, answer, calls)
-        return
-    value, comment = answer.matlab(STACKED[exercise.rows])
-    yield f"{part.variable} = {value};  % {_one_line(comment.replace('NAME', part.variable))}"
+
+    value, form = answer.matlab(STACKED[exercise.rows])
+    comment = _one_line(form.replace("NAME", part.variable))
+    yield f"{part.variable} = {value};  % {comment}"
 
 
 def _options(answer: Choice) -> Iterator[str]:
     for letter, option in zip(answer.letters, answer.options, strict=False):
-        yield from _comment(f"  {letter}: {option if _readable(option) else 'see the notebook'}")
+        shown = option if _is_plain(option) else "see the notebook"
+        yield from _comment(f"  {letter}: {shown}")
 
 
 def _published(name: str, answer: Function, calls: Sequence[Sequence[Any]]) -> Iterator[str]:
@@ -204,17 +143,22 @@ def _published(name: str, answer: Function, calls: Sequence[Sequence[Any]]) -> I
         f"Results of {name}{answer.signature} for the arguments in each cell of {name}_inputs:"
     )
     yield f"{name}_inputs = {{ ..."
-    yield from map(_call, calls)
+    for arguments in calls:
+        yield _call(arguments)
     yield "};"
     yield f"{name} = cell(1, {len(calls)});  % {name}{{k}} = result for {name}_inputs{{k}}{{:}}"
 
 
 def _call(arguments: Sequence[Any]) -> str:
-    pieces = [_pieces(argument) for argument in arguments]
-    if all(len(piece) == 1 for piece in pieces):
-        return f"    {{{', '.join(text for (text,) in pieces)}}}; ..."
-    lines = [line for piece in pieces for line in (*piece[:-1], f"{piece[-1]},")]
-    return _continued(["    {", *lines[:-1], lines[-1][:-1], "}; ..."])
+    """A cell with the arguments of one call, in one line where each of them takes no more."""
+    lines: list[str] = []
+    for argument in arguments:
+        if lines:
+            lines[-1] += ","
+        lines += literal_lines(argument)
+    if len(lines) == len(arguments):
+        return f"    {{{' '.join(lines)}}}; ..."
+    return _statement_of("    {", lines, "}; ...")
 
 
 def _saving(sheet: Sheet, parts: Sequence[Part]) -> Iterator[str]:
@@ -223,14 +167,14 @@ def _saving(sheet: Sheet, parts: Sequence[Part]) -> Iterator[str]:
     yield ", ...\n    ".join([f"save('{sheet.name}.mat'", *names, "'-v7')"])
 
 
-def _readable(text: str) -> bool:
-    return not any(mark in text for mark in UNREADABLE)
+def _is_plain(text: str) -> bool:
+    return not any(mark in text for mark in FORMATTED)
 
 
-def _comment(text: str) -> Iterator[str]:
+def _comment(text: str) -> list[str]:
     """Comment lines; whatever the text holds, each of its lines begins with a percent sign."""
     plain = _one_line(text).replace("**", "").replace("`", "")
-    yield from textwrap.wrap(
+    return textwrap.wrap(
         plain, WIDTH, initial_indent="% ", subsequent_indent="% ", break_on_hyphens=False
     )
 

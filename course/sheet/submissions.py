@@ -3,7 +3,9 @@
 import logging
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
+from itertools import product
 from pathlib import Path
+from typing import Any
 
 from ...exercises.exercise import Exercise, Function, Part, Variant
 from ...grader.collecting.ask import Ask, AskError, Limits
@@ -16,15 +18,19 @@ from ..escape import printable
 
 log = logging.getLogger(__name__)
 MAX_BYTES = 25 << 20
+NOTEBOOK = ".ipynb"
 Reader = Callable[[bytes, Sequence[Ask], Limits], dict[str, Raw]]
 READERS: dict[str, Reader] = {
-    ".ipynb": collect,
+    NOTEBOOK: collect,
     ".json": lambda data, asks, _: from_json(data, asks),
     ".csv": lambda data, asks, _: from_csv(data, asks),
     ".mat": lambda data, asks, _: from_mat(data, asks),
 }
-HINDRANCES: dict[str, Callable[[], str]] = {".ipynb": cannot_run, ".mat": cannot_read}
-"""Why files of an ending cannot be marked on this machine: no fault of the student's, so never a zero."""
+HINDRANCES: dict[str, Callable[[], str]] = {NOTEBOOK: cannot_run, ".mat": cannot_read}
+"""Why files of an ending cannot be marked on this machine.
+
+It is no fault of the student's, so never a zero.
+"""
 
 
 @dataclass(frozen=True)
@@ -35,35 +41,48 @@ class Submission:
     data: bytes
 
     def asks(self, exercise: Exercise, v: Variant) -> list[Ask]:
-        """What to bring back: functions of a notebook are called, a file holds the results of the published calls.
+        """What to bring back: a notebook's functions are called, a file holds results of calls.
 
         A part whose calls cannot be made has an Ask that says why; all others are asked for.
         """
-        return [_ask(part, v, published=self.path.suffix != ".ipynb") for part in exercise.asked]
+        published = self.path.suffix != NOTEBOOK
+        return [_ask(part, v, published=published) for part in exercise.asked]
 
     def raws(self, asks: Sequence[Ask], limits: Limits) -> dict[str, Raw]:
         """The asked values; runs the notebook, or reads the file of matrices."""
-        found = {ask.name: Raw("unasked", ask.hindrance) for ask in asks if ask.hindrance}
-        asked = [ask for ask in asks if not ask.hindrance]
+        found: dict[str, Raw] = {}
+        asked: list[Ask] = []
+        for ask in asks:
+            if ask.hindrance:
+                found[ask.name] = Raw("unasked", ask.hindrance)
+            else:
+                asked.append(ask)
+
         found |= READERS[self.path.suffix](self.data, asked, limits)
-        if self.path.suffix == ".ipynb":
-            return found | {ask.name: _called(found[ask.name]) for ask in asked if ask.calls}
+        if self.path.suffix == NOTEBOOK:
+            for ask in asked:
+                if ask.calls:
+                    found[ask.name] = _called(found[ask.name])
         return found
 
 
 def _called(raw: Raw) -> Raw:
-    """In a notebook a function is asked for; results that are listed there were not computed before our eyes."""
+    """What a call in a notebook brought back; results that are listed there are no answer.
+
+    Those were not computed before our eyes.
+    """
     if raw.kind in ("num", "text") or raw.listed:
         return Raw("error", "takes a function of this name in a notebook, not its results")
     return raw
 
 
 def _ask(part: Part, v: Variant, *, published: bool) -> Ask:
-    if not isinstance(part.answer, Function):
+    """What to bring back for a part; with `published`, results of the calls that are printed."""
+    answer = part.answer
+    if not isinstance(answer, Function):
         return Ask(part.variable)
-    inputs = part.answer.published if published and part.answer.published else part.answer.inputs
     try:
-        return Ask(part.variable, tuple(call for group in inputs(v).values() for call in group))
+        return Ask(part.variable, tuple(_calls(answer, v, published=published)))
     except AskError as error:
         return Ask(part.variable, hindrance=str(error))
     except Exception as error:  # an exercise may fail in any way on a student's numbers
@@ -73,61 +92,84 @@ def _ask(part: Part, v: Variant, *, published: bool) -> Ask:
         )
 
 
+def _calls(answer: Function, v: Variant, *, published: bool) -> list[tuple[Any, ...]]:
+    if published and answer.published:
+        return answer.published_calls(v)
+    return answer.calls(v)
+
+
 def find_submission(folder: Path, student: str, sheet: str) -> Submission | None:
-    """The student's file for a sheet, a notebook before .json before .csv before .mat; None when there is none.
+    """The student's file for a sheet; None when there is none.
+
+    A notebook goes before .json, that before .csv, and that before .mat.
 
     Raises:
         CourseError: the file is there and cannot be read.
     """
     for suffix in READERS:
         path = folder / "submitted" / student / f"{sheet}{suffix}"
-        if path.exists() or path.is_symlink():
+        if path.exists() or path.is_symlink():  # a link to nowhere does not exist
             return read_submission(path)
     return None
 
 
 def misnamed(folder: Path, student: str, sheets: Collection[str]) -> str:
-    """The first of a student's files that belongs to no sheet by its name; empty when there is none."""
-    try:
-        names = sorted(path.name for path in (folder / "submitted" / student).iterdir())
-    except OSError:
-        return ""
-    known = {f"{sheet}{suffix}" for sheet in sheets for suffix in READERS}
-    return next((name for name in names if name not in known and not name.startswith(".")), "")
+    """The first of a student's files that is named after no sheet; empty when there is none."""
+    known = {f"{sheet}{suffix}" for sheet, suffix in product(sheets, READERS)}
+    for name in _visible_names(folder / "submitted" / student):
+        if name not in known:
+            return name
+    return ""
 
 
 def strangers(folder: Path, students: Collection[str]) -> list[str]:
     """Names in submitted/ that are nobody's of the roster."""
+    found: list[str] = []
+    for name in _visible_names(folder / "submitted"):
+        if name in students:
+            continue
+        found.append(printable(name))
+    return found
+
+
+def _visible_names(folder: Path) -> list[str]:
+    """What lies in a folder, sorted, without files that systems hide; nothing where none is."""
     try:
-        names = sorted(path.name for path in (folder / "submitted").iterdir())
+        names = sorted(path.name for path in folder.iterdir())
     except OSError:
         return []
-    return [printable(name) for name in names if name not in students and not name.startswith(".")]
+    return [name for name in names if not name.startswith(".")]
 
 
 def read_submission(path: Path) -> Submission:
     """The bytes of one file.
 
     Raises:
-        CourseError: it cannot be read, is too large, or has an ending that cannot be marked, at all or on this machine.
+        CourseError: it cannot be read, is too large, or has an ending that cannot be marked, at all
+            or on this machine.
     """
     if path.suffix not in READERS:
         raise CourseError(
-            f"{path}: a submission takes one of the endings {', '.join(READERS)}, got {path.suffix!r}"
+            f"{path}: a submission takes one of the endings {', '.join(READERS)}, "
+            f"got {path.suffix!r}"
         )
-    hindrance = HINDRANCES.get(path.suffix, str)()
-    if hindrance:
-        raise CourseError(f"{path}: {hindrance}")
+    if path.suffix in HINDRANCES:
+        hindrance = HINDRANCES[path.suffix]()
+        if hindrance:
+            raise CourseError(f"{path}: {hindrance}")
     try:
-        if path.is_symlink():
-            raise CourseError(f"{path} is a link; a submission takes a file of its own")
-        if path.exists() and not path.is_file():  # a pipe would be waited for
-            raise CourseError(f"{path} cannot be read: it is not a file")
-        size = path.stat().st_size
-        if size > MAX_BYTES:
-            raise CourseError(
-                f"{path} has {size >> 20} MB; a submission may have {MAX_BYTES >> 20} MB"
-            )
-        return Submission(path, path.read_bytes())
+        return Submission(path, _bytes_of(path))
     except OSError as error:
         raise CourseError(f"{path} cannot be read: {error.strerror}") from error
+
+
+def _bytes_of(path: Path) -> bytes:
+    """What a file holds that is one, and not too large. Raises CourseError, OSError."""
+    if path.is_symlink():  # it may point at somebody else's
+        raise CourseError(f"{path} is a link; a submission takes a file of its own")
+    if path.exists() and not path.is_file():  # a pipe would be waited for
+        raise CourseError(f"{path} cannot be read: it is not a file")
+    size = path.stat().st_size
+    if size > MAX_BYTES:
+        raise CourseError(f"{path} has {size >> 20} MB; a submission may have {MAX_BYTES >> 20} MB")
+    return path.read_bytes()

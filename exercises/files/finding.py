@@ -9,12 +9,13 @@ from .neighbours import defines_exercise
 
 __all__ = ["defines_exercise", "exercise_files", "find", "load"]
 
-
 CATALOGUE = Path(__file__).resolve().parents[1] / "catalogue"
 
 
 def exercise_files(*folders: Path) -> dict[str, Path]:
-    """Slug to file, for ours and for those in `folders`; a course's file replaces ours of the same name.
+    """Slug to file, for ours and for those in `folders`.
+
+    A course's file replaces ours of the same name.
 
     Raises:
         ExerciseError: a file cannot be read.
@@ -26,7 +27,11 @@ def exercise_files(*folders: Path) -> dict[str, Path]:
 
 
 def own_files(folder: Path) -> dict[str, Path]:
-    """Slug to file, for the exercises in one folder."""
+    """Slug to file, for the exercises in one folder.
+
+    Raises:
+        ExerciseError: a file cannot be read.
+    """
     found: dict[str, Path] = {}
     for path in sorted(folder.glob("*.py")):
         try:
@@ -40,15 +45,22 @@ def own_files(folder: Path) -> dict[str, Path]:
 
 
 def find(slug: str, files: dict[str, Path], *folders: Path) -> Exercise:
-    """The exercise of that slug. `folders` are where a file that defines no exercise may lie.
+    """The exercise of that slug.
+
+    `folders` are where a file of that name may lie that defines no exercise.
 
     Raises:
-        ExerciseError: there is none; the sentence names the nearest and all others.
+        ExerciseError: there is none, and the sentence names the nearest and all others; or its file
+            cannot be loaded.
     """
     if slug in files:
         return load(files[slug])
     for folder in folders:
         if (folder / f"{slug}.py").is_file():
             raise ExerciseError(f"{folder / slug}.py defines no exercise: {EXERCISE_WANTED}")
-    hints = [did_you_mean(slug, files), f"known: {', '.join(sorted(files))}"]
-    raise ExerciseError(f"there is no exercise {slug!r}; {' '.join(filter(None, hints))}")
+
+    known = f"known: {', '.join(sorted(files))}"
+    near = did_you_mean(slug, files)
+    if near:
+        known = f"{near} {known}"
+    raise ExerciseError(f"there is no exercise {slug!r}; {known}")

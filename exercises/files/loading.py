@@ -1,7 +1,8 @@
-"""Loading an exercise file, with the modules beside it that it imports, under names that follow from the text.
+"""Loading an exercise file, with the modules beside it that it imports.
 
-A course's exercises may share code: `from arms import planar` finds arms.py in the same folder, as an editor does.
-Such a module is known to the files that import it and to nobody else, so that two courses may each have an arms.py.
+Its name as a module follows from its text. A course's exercises may share code: `from arms import
+planar` finds arms.py in the same folder, as an editor does. Such a module is known to the files
+that import it and to nobody else, so that two courses may each have an arms.py.
 """
 
 import builtins
@@ -24,10 +25,13 @@ _LOADING = RLock()  # nobody gets a module that another thread has run half of
 
 
 def load(path: Path) -> Exercise:
-    """The exercise that a file defines as `EXERCISE`, loaded once per content of it and of the modules beside it.
+    """The exercise that a file defines as `EXERCISE`.
+
+    It is loaded once per content of the file and of the modules beside it.
 
     Raises:
-        ExerciseError: the file cannot be read or run, defines no exercise, or its slug is not its file name.
+        ExerciseError: the file cannot be read or run, defines no exercise, or its slug is not its
+            file name.
     """
     source = read_source(path)
     if path.suffix != ".py":
@@ -48,14 +52,30 @@ def load(path: Path) -> Exercise:
 
 def stopped(error: BaseException) -> str:
     """An exception in one line, with its place in the exercise file or in a module beside it."""
+    said = str(error)
+    if isinstance(error, SyntaxError):  # whose text names the place, too
+        said = error.msg
+    said = " ".join(said.split())[:LONGEST]
+
+    told = type(error).__name__
+    if said:
+        told += f": {said}"
+    return told + _at(error)
+
+
+def _at(error: BaseException) -> str:
+    """The place of an exception in brackets, where it has one."""
     where = place(error)
-    told = error.msg if isinstance(error, SyntaxError) else str(error)
-    said = " ".join(told.split())[:LONGEST]
-    return f"{type(error).__name__}{f': {said}' if said else ''}{f' ({where})' if where else ''}"
+    if not where:
+        return ""
+    return f" ({where})"
 
 
 def place(error: BaseException) -> str:
-    """The last line of an exercise file, or of a module beside one, that an exception went through; or nothing."""
+    """The last line of an exercise file, or of a module beside one, that an exception went through.
+
+    Empty where it went through none.
+    """
     if isinstance(error, SyntaxError) and error.filename and error.lineno:
         return f"line {error.lineno} of {Path(error.filename).name}"
     found = ""
@@ -69,7 +89,10 @@ def place(error: BaseException) -> str:
 
 
 def _module(source: Source) -> ModuleType:
-    """The module of a file, run unless it has been; its folder is in its name, since it may read data beside it."""
+    """The module of a file, run unless it has been.
+
+    Its folder is in its name, since it may read data beside it.
+    """
     identity = hashlib.sha256(f"{source.hash} {source.path.resolve()}".encode()).hexdigest()
     name = f"{_package_of(source.path)}.file_{identity[:16]}"
     with _LOADING:
@@ -93,12 +116,17 @@ def _package_of(path: Path) -> str:
 
     A file of ours has its own; any other is where a copy of one of our exercises keeps its imports.
     """
-    inner = path.resolve().parent.relative_to(HOME).parts if is_ours(path) else ("catalogue",)
+    if not is_ours(path):
+        return "kinegrade.exercises.catalogue"
+    inner = path.resolve().parent.relative_to(HOME).parts
     return ".".join(["kinegrade.exercises", *inner])
 
 
 class _SourceLoader(SourceLoader):
-    """Runs the text that was read and hashed, whatever the file holds by now; leaves no compiled file behind."""
+    """Runs the text that was read and hashed, whatever the file holds by now.
+
+    It leaves no compiled file behind.
+    """
 
     def __init__(self, source: Source) -> None:
         """Takes the text, and the modules beside it that its own imports shall find."""
@@ -113,7 +141,10 @@ class _SourceLoader(SourceLoader):
         return self.source.text
 
     def exec_module(self, module: ModuleType) -> None:
-        """Runs the text; its imports, also those in functions that run later, look beside the file first."""
+        """Runs the text.
+
+        Its imports look beside the file first, also those in functions that run later.
+        """
         if self.source.beside:
             vars(module)["__builtins__"] = {**vars(builtins), "__import__": self._import}
         super().exec_module(module)
@@ -133,15 +164,12 @@ class _SourceLoader(SourceLoader):
 
 def _why(error: BaseException, source: Source) -> str:
     """A sentence for a file that could not be run."""
-    if isinstance(error, KinegradeError):
-        where = place(error)
-        return f"{source.path}: {error}{f' ({where})' if where else ''}"
-    hint = (
-        _import_hint(error, source)
-        if isinstance(error, ImportError) and not is_ours(source.path)
-        else ""
-    )
-    return f"{source.path}: the exercise file stopped with {stopped(error)}{hint}"
+    if isinstance(error, KinegradeError):  # it is a sentence by itself
+        return f"{source.path}: {error}{_at(error)}"
+    sentence = f"{source.path}: the exercise file stopped with {stopped(error)}"
+    if isinstance(error, ImportError) and not is_ours(source.path):
+        sentence += _import_hint(error, source)
+    return sentence
 
 
 def _import_hint(error: ImportError, source: Source) -> str:
@@ -150,18 +178,23 @@ def _import_hint(error: ImportError, source: Source) -> str:
     for name in imported(source.text, dots=True):
         if name in others:
             return f"; a file beside it is imported without a dot: from {name} import ..."
+
     missing = error.name or ""
     if missing in others:
         return (
             f"; {missing}.py is an exercise, and what exercises share takes a file without EXERCISE"
         )
     near = nearest(missing, others)
-    return f"; did you mean {near!r}, which lies beside it?" if near else ""
+    if near:
+        return f"; did you mean {near!r}, which lies beside it?"
+    return ""
 
 
 def _instead(module: ModuleType) -> str:
     """What a file has where its EXERCISE should be."""
     if hasattr(module, "EXERCISE"):
         return f"; its EXERCISE is of type {type(module.EXERCISE).__name__}"
-    named = [name for name, value in vars(module).items() if isinstance(value, Exercise)]
-    return f"; it calls its exercise {named[0]!r}" if named else ""
+    for name, value in vars(module).items():
+        if isinstance(value, Exercise):
+            return f"; it calls its exercise {name!r}"
+    return ""

@@ -1,23 +1,26 @@
-"""The text of an exercise file together with the modules beside it that it imports, read before any of it is run."""
+"""The text of an exercise file with the modules beside it that it imports, before any is run."""
 
 import ast
 import hashlib
 import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 from ..exercise import ExerciseError
 
-HOME = (
-    Path(__file__).resolve().parents[1]
-)  # files in here belong to this package and use relative imports
+HOME = Path(__file__).resolve().parents[1]
+"""Files in here belong to this package and use relative imports."""
 _DEFINES_EXERCISE = re.compile(rb"^EXERCISE\b", re.MULTILINE)
 
 
 @dataclass(frozen=True)
 class Source:
-    """A file as it was read, and the texts of the modules beside it that it imports, however indirectly, by name."""
+    """A file as it was read, with the texts of the modules beside it that it imports, by name.
+
+    Those that these import in turn are among them.
+    """
 
     path: Path
     text: bytes
@@ -29,11 +32,11 @@ class Source:
         own = hashlib.sha256(self.text).hexdigest()
         if not self.beside:
             return own
-        others = [
-            f"{name} {hashlib.sha256(other).hexdigest()}"
-            for name, other in sorted(self.beside.items())
-        ]
-        return hashlib.sha256("\n".join([own, *others]).encode()).hexdigest()
+        lines = [own]
+        for name, other in sorted(self.beside.items()):
+            digest = hashlib.sha256(other).hexdigest()
+            lines.append(f"{name} {digest}")
+        return hashlib.sha256("\n".join(lines).encode()).hexdigest()
 
     def neighbour(self, name: str) -> "Source":
         """One of the modules beside it, with those that it imports in turn."""
@@ -49,7 +52,9 @@ def read_source(path: Path) -> Source:
     """
     try:
         text = path.read_bytes()
-        beside = {} if is_ours(path) else _reached(text, lambda name: _beside(path, name))
+        beside: dict[str, bytes] = {}
+        if not is_ours(path):
+            beside = _reached(text, partial(_beside, path))
     except OSError as error:
         where = error.filename or path
         raise ExerciseError(
@@ -69,18 +74,29 @@ def is_ours(path: Path) -> bool:
 
 
 def imported(text: bytes, *, dots: bool) -> Iterator[str]:
-    """Names without a dot that a text imports anywhere in it; with `dots`, those that it imports relatively."""
+    """Names without a dot that a text imports, anywhere in it.
+
+    With `dots`, those that it imports relatively; without, all others.
+    """
     try:
         tree = ast.parse(text)
     except (SyntaxError, ValueError):  # running it says what is wrong
         return
     for node in ast.walk(tree):
-        names: list[str] = []
-        if isinstance(node, ast.Import) and not dots:
-            names = [alias.name for alias in node.names]
-        elif isinstance(node, ast.ImportFrom) and bool(node.level) is dots:
-            names = [node.module] if node.module else [alias.name for alias in node.names]
-        yield from (name for name in names if "." not in name)
+        for name in _names_in(node, dots=dots):
+            if "." not in name:
+                yield name
+
+
+def _names_in(node: ast.AST, *, dots: bool) -> list[str]:
+    """The modules that an import statement may name; none of anything else."""
+    if isinstance(node, ast.Import) and not dots:
+        return [alias.name for alias in node.names]
+    if isinstance(node, ast.ImportFrom) and bool(node.level) is dots:
+        if node.module:
+            return [node.module]
+        return [alias.name for alias in node.names]  # from . import a
+    return []
 
 
 def _is_exercise(text: bytes) -> bool:
@@ -88,21 +104,25 @@ def _is_exercise(text: bytes) -> bool:
 
 
 def _beside(path: Path, name: str) -> bytes | None:
-    """The text of the module of that name beside a file; None where there is none, or where it is an exercise."""
+    """The text of the module of that name beside a file; None where none is, or an exercise."""
     module = path.with_name(f"{name}.py")
     if module == path or not module.is_file():
         return None
     text = module.read_bytes()
-    return None if _is_exercise(text) else text
+    if _is_exercise(text):
+        return None
+    return text
 
 
 def _reached(text: bytes, look: Callable[[str], bytes | None]) -> dict[str, bytes]:
-    """The modules that some text imports, those that they import, and so on."""
+    """The modules that a text imports, those that they import, and so on, as `look` finds them."""
     found: dict[str, bytes] = {}
     waiting = [text]
     while waiting:
         for name in imported(waiting.pop(), dots=False):
-            other = None if name in found else look(name)
+            if name in found:
+                continue
+            other = look(name)
             if other is not None:
                 found[name] = other
                 waiting.append(other)

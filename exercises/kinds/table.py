@@ -80,7 +80,10 @@ def table_numbers(table: Table, v: Variant, q: Any) -> NDArray[np.float64]:
 
 
 def table_rows(table: Table, v: Variant) -> NDArray[np.float64]:
-    """Cells (n, 4) of a table with the variant's lengths and no joint values, as chains are built of."""
+    """Cells (n, 4) of a table with the variant's lengths and all joints at zero.
+
+    Chains are built of these.
+    """
     return table_numbers(table, v, np.zeros(len(table.joints)))
 
 

@@ -1,4 +1,7 @@
-"""The arm of this course: two links that turn in a plane. It defines no exercise, so exercises can share it."""
+"""The arm of this course: two links that turn in a plane.
+
+It defines no exercise, so exercises can share it.
+"""
 
 from kinegrade.solutions.any_robot import robot_from_table
 

@@ -1,0 +1,95 @@
+"""What validating one exercise found: its failures, chunk after chunk put together."""
+
+import json
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+
+from .draw import Failure
+
+KINDS = (
+    "solve",
+    "full marks",
+    "nonsense",
+    "mistakes",
+    "printable",
+    "render",
+    "solution",
+    "variants",
+)
+ENOUGH = 10  # draws in which everything that some variants have should be seen
+MOST_ALIKE = 0.05  # share of draws that may repeat an earlier one
+
+
+@dataclass(frozen=True)
+class Validation:
+    """What looking at some draws of one exercise found."""
+
+    slug: str
+    parts: int
+    points: float
+    draws: int
+    seconds_to_draw: float
+    failures: tuple[Failure, ...]
+    named: tuple[str, ...] = ()
+    source: str = ""
+
+
+Looked = tuple[Validation, list[str]]
+"""What some draws showed, and the drawn numbers as text."""
+
+
+def together(results: Sequence[Looked]) -> Validation:
+    """One validation of all chunks of draws, with what only many draws can show."""
+    texts: list[str] = []
+    failures: dict[Failure, None] = {}  # each once, in order
+    for validation, drawn in results:
+        texts += drawn
+        failures |= dict.fromkeys(validation.failures)
+
+    first = results[0][0]
+    return replace(
+        first,
+        draws=sum(validation.draws for validation, _ in results),
+        seconds_to_draw=max(validation.seconds_to_draw for validation, _ in results),
+        failures=(*failures, *_alike(texts), *_never_drawn(first.named, texts)),
+    )
+
+
+def _alike(texts: Sequence[str]) -> Iterator[Failure]:
+    """That draws repeat each other too often."""
+    alike = len(texts) - len(set(texts))
+    if alike > max(1, MOST_ALIKE * len(texts)):
+        sentence = f"{alike} of {len(texts)} draws repeat an earlier one; draw from wider sets"
+        yield Failure("variants", 0, "", sentence)
+
+
+def _never_drawn(named: Sequence[str], texts: Sequence[str]) -> Iterator[Failure]:
+    """Names that the exercise says are drawn, and no draw has; a few draws are no proof."""
+    if not named or len(texts) < ENOUGH:
+        return
+    missing = set(named)
+    for text in texts:
+        missing.difference_update(json.loads(text))
+    if missing:
+        listed = ", ".join(sorted(missing))
+        sentence = (
+            f"no draw has {listed}, though units, hidden or structure name it; "
+            "is it misspelt there or in draw?"
+        )
+        yield Failure("variants", 0, "", sentence)
+
+
+def summary(validation: Validation) -> Iterator[str]:
+    """One line for every part and kind of failure: how often, and the first of it."""
+    groups: dict[tuple[str, str], list[Failure]] = {}
+    for failure in validation.failures:
+        groups.setdefault((failure.kind, failure.part), []).append(failure)
+
+    for (kind, part), failures in groups.items():
+        where = [kind]
+        if part:
+            where.append(part)
+        if validation.draws:  # else the file could not be loaded
+            draws = {failure.seed for failure in failures}
+            where.append(f"in {len(draws)} of {validation.draws} draws, first {min(draws)}")
+        yield f"{', '.join(where)}: {failures[0].sentence}"
