@@ -34,7 +34,7 @@ def is_trivial(reference: Any, own: Any) -> bool:
         reference, 1e-6
     ):
         return True
-    return 2 * _different_numbers(own) < _different_numbers(reference)
+    return 2 * different_numbers(own) < different_numbers(reference)
 
 
 def zeros_pass(
@@ -46,7 +46,7 @@ def zeros_pass(
 
 def owner_of(part: Part, answer: Any, others: Others) -> str:
     """The student whose variant an answer of numbers is right for; empty when there is none, or it cannot tell."""
-    if not isinstance(part.answer, Numbers) or _different_numbers(answer) < TELLING:
+    if not isinstance(part.answer, Numbers) or different_numbers(answer) < TELLING:
         return ""
     for student, answers in others.items():
         theirs = np.asarray(answers.get(part.variable, np.nan), dtype=float)
@@ -64,7 +64,7 @@ def shared_with(part: Part, answer: Any, reference: Any, peers: Peers) -> str:
     if not isinstance(part.answer, Numbers):
         return ""
     wrong = np.abs(answer - reference) > SAME
-    if _different_numbers(np.where(wrong, answer, 0.0)) < TELLING:
+    if different_numbers(np.where(wrong, answer, 0.0)) < TELLING:
         return ""
     for student, answers in peers.items():
         theirs = _array(answers.get(part.variable))
@@ -105,5 +105,6 @@ def _sizes(array: Any) -> NDArray[np.float64]:
     return sizes[(sizes != 0) & (sizes != 1)]
 
 
-def _different_numbers(array: Any) -> int:
+def different_numbers(array: Any) -> int:
+    """How many numbers of an array differ in size, 0 and 1 not counted."""
     return len(_sizes(array))
