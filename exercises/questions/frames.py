@@ -16,7 +16,8 @@ POSE = [["1", "1", "1", "m"]] * 3 + [["1"] * 4]
 AXIS = {"standard": r"\mathbf z_{i-1}", "modified": r"\mathbf z_i"}
 TABLE = r"""The Denavit–Hartenberg table: one row $[\theta_i, d_i, a_i, \alpha_i]$ per joint, as
 text in the names of your lengths and q1, q2 ..., for instance `['q1 + pi', 0.25, 'd1', 'pi/3']`, or
-as numbers at your $\mathbf q$ (radians, metres)
+as numbers at your $\mathbf q$ (radians, metres); the frames between the drawn ones may stand in any
+way that describes this arm
 
 - Which way does the positive arrow of each joint make its axis point?
 - A prismatic joint's variable stands in the column d.
