@@ -215,7 +215,8 @@ def _judge(sheet: _Sheet, part: Part, wanted: Wanted, answer: Any) -> _Judged:
     if not found.settled:
         share, before = sheet.bill.share(part, names[0], answer)
     notes = found.findings
-    if not found.reading:
+    told = found.reading or (part.check and notes)  # the part's own check says it better
+    if not told:
         notes = (*notes, *(name.sentence for name in names))
     if before and share > found.share:
         notes = (*notes, f"It was charged in {before} already.")
