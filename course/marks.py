@@ -25,7 +25,7 @@ __all__ = [
     "with_marks",
     "write_csv",
 ]
-COLUMNS = (
+COLUMNS: tuple[str, ...] = (
     "student", "sheet", "part", "points", "out_of",
     "comment", "answer", "key", "rubric", "answer_id",
 )  # fmt: skip
