@@ -57,7 +57,11 @@ def _with_older(folder: Path, found: str | None, older: str) -> str:
 
 
 def write_secret(folder: Path) -> Path | None:
-    """Writes a new secret into a course folder that has none; its file, or None where there is one."""
+    """Writes a new secret into a course folder that has none.
+
+    Returns:
+        Its file, or None where there was one.
+    """
     path = folder / FILE
     if path.exists():
         return None
