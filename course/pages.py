@@ -136,12 +136,13 @@ def _sheet_block(sheet: Sheet, exercises: Sequence[Exercise], results: Sequence[
     parts: list[Part] = []
     for exercise in exercises:
         parts += exercise.asked
-    counts = Counter(status(result) for result in results)
+    counts = Counter(map(status, results))
+    rows = [_row(sheet, parts, result) for result in results]
     return {
         "title": sheet.title or sheet.name,
         "mode": sheet.mode,
         "parts": [_part_block(part, results) for part in parts],
-        "rows": [_row(sheet, parts, result) for result in results],
+        "rows": rows,
         "graded": counts["graded"],
         "waiting": counts["not_graded"],
         "missing": counts["no_submission"],
