@@ -1,5 +1,5 @@
 # pyright: basic
-"""Other ways to the same Jacobians: the numpy of textbooks, C from the traced program, and the peers."""
+"""Other ways to the same Jacobians: the numpy of textbooks, C from our trace, and the peers."""
 
 import ctypes
 import shutil
@@ -94,7 +94,10 @@ def in_c(
 
 
 def c_source(program: Program, *, rows: bool) -> str:
-    """Sines and cosines in loops of their own, which gcc can vectorise, in blocks that stay in the cache."""
+    """C for batches, in blocks that stay in the cache.
+
+    Sines and cosines have loops of their own, which gcc can vectorise.
+    """
     n, outputs = len(program.kinds), len(program.outputs)
     joints = [f"q[{j}*N+b+k]" if rows else f"q[(b+k)*{n}+{j}]" for j in range(n)]
     loop = "  for (long k = 0; k < m; k++)"
@@ -196,20 +199,26 @@ def kinpy(chain: Chain) -> Single:
     """A serial chain read from a URDF that is written from ours."""
     import kinpy
 
-    names, lines = ["base", *(f"link{i}" for i in range(1, chain.n + 1)), "tool"], list[str]()
+    names = ["base", *(f"link{i}" for i in range(1, chain.n + 1)), "tool"]
+    joints = list[str]()
     for i, C in enumerate(chain.fixed):
-        kind = {"R": "continuous", "P": "prismatic"}[chain.kinds[i]] if i < chain.n else "fixed"
+        kind = "fixed"
+        if i < chain.n:
+            kind = {"R": "continuous", "P": "prismatic"}[chain.kinds[i]]
         R = C[:3, :3]
         rpy = (
             np.arctan2(R[2, 1], R[2, 2]),
             np.arctan2(-R[2, 0], np.hypot(R[2, 1], R[2, 2])),
             np.arctan2(R[1, 0], R[0, 0]),
         )
-        lines.append(
-            f'<joint name="j{i}" type="{kind}"><parent link="{names[i]}"/><child link="{names[i + 1]}"/>'
-            f'<origin xyz="{" ".join(map(repr, C[:3, 3].tolist()))}" rpy="{" ".join(repr(float(x)) for x in rpy)}"/>'
+        xyz_text = " ".join(map(repr, C[:3, 3].tolist()))
+        rpy_text = " ".join(repr(float(angle)) for angle in rpy)
+        joints.append(
+            f'<joint name="j{i}" type="{kind}">'
+            f'<parent link="{names[i]}"/><child link="{names[i + 1]}"/>'
+            f'<origin xyz="{xyz_text}" rpy="{rpy_text}"/>'
             '<axis xyz="0 0 1"/><limit lower="-9" upper="9" effort="1" velocity="1"/></joint>'
         )
     links = "".join(f'<link name="{name}"/>' for name in names)
-    urdf = f'<robot name="arm">{links}{"".join(lines)}</robot>'
+    urdf = f'<robot name="arm">{links}{"".join(joints)}</robot>'
     return kinpy.build_serial_chain_from_urdf(urdf.encode(), "tool", "base").jacobian

@@ -1,8 +1,8 @@
-"""Jacobians side by side with what else there is: `python benchmarks/jacobian.py`, no arguments needed.
+"""Jacobians side by side with what else there is: `python benchmarks/jacobian.py`.
 
-The peers are installed into a virtual environment of their own, once, and everything runs there, on one core. All
-Jacobians are compared to 1e-9 before any is timed. The contenders take turns, and the tables quote medians over the
-rounds: trust the ratios.
+It takes no arguments. The peers are installed into a virtual environment of their own, once, and
+everything runs there, on one core. All Jacobians are compared to 1e-9 before any is timed. The
+contenders take turns, and the tables quote medians over the rounds: trust the ratios.
 """
 
 import argparse

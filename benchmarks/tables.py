@@ -1,5 +1,8 @@
 # pyright: basic
-"""The tables of the benchmark: Puma 560 against everything, every arm, and two uses. Started by jacobian.py."""
+"""The tables of the benchmark: Puma 560 against everything, every arm, and two uses.
+
+Started by jacobian.py.
+"""
 
 import functools
 import json
@@ -43,7 +46,7 @@ class Contender:
         return statistics.median(self.times)
 
     def over(self, other: "Contender") -> float:
-        """How many times as long as the other one, by the median over the rounds of what it was in each."""
+        """How many times as long as the other one took: the median of the ratios of all rounds."""
         return statistics.median(
             mine / its for mine, its in zip(self.times, other.times, strict=True)
         )
@@ -131,11 +134,13 @@ def uses(rounds: int) -> list[str]:
     alternate([drawn], rounds)
     command = [sys.executable, __file__, "reduction"]
     reduced = json.loads(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
+    map_of = f"smallest singular value of the Puma's 3 x 3 block, {GRID} x {GRID} map"
+    largest_of = f"largest entry of J over {REDUCED:,} configurations, `out=` in blocks"
     return [
         "| use | |",
         "|---|--:|",
-        f"| smallest singular value of the Puma's 3 x 3 block, {GRID} x {GRID} map | {drawn.median / 1e9:.3f} s |",
-        f"| largest entry of J over {REDUCED:,} configurations, `out=` in blocks | {reduced['seconds']:.1f} s |",
+        f"| {map_of} | {drawn.median / 1e9:.3f} s |",
+        f"| {largest_of} | {reduced['seconds']:.1f} s |",
         f"| peak memory of that process | {reduced['memory']} |",
     ]
 
@@ -178,7 +183,7 @@ def einsum(chain: Chain, q: Array) -> Contender:
 
 
 def in_c(chain: Chain, q: Array) -> list[Contender]:
-    """C from the same trace: rows with scalar and with vector sines, then with the result as ours."""
+    """C from our trace: rows with scalar and with vector sines, then with the result as ours."""
     made = list[Contender]()
     for name, flags, rows in (
         ("C, structure of arrays", contenders.STRICT, True),

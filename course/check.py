@@ -1,7 +1,7 @@
-"""A student's own check: verdicts on one file as far as the sheet's mode allows, from the sheet's own numbers."""
+"""A student's own check of one file: what the sheet's mode allows, from the sheet's numbers."""
 
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, get_args
@@ -11,7 +11,7 @@ import numpy as np
 from ..exercises.exercise import Exercise
 from ..exercises.files.finding import exercise_files, find
 from ..exercises.files.neighbours import is_ours
-from ..grader.collecting.ask import Limits
+from ..grader.collecting.ask import Ask, Limits
 from ..grader.collecting.wire import Raw
 from ..grader.marking.mark import mark
 from ..grader.marking.own_work import Remark, remarks
@@ -24,6 +24,7 @@ from .sheet.notebook import KEY
 from .sheet.submissions import read_submission
 
 MOST_PLACES = 6  # of wrong entries that are named
+NOT_INSTALLED = "an exercise of this course that is not installed here; it is not checked"
 
 
 @dataclass(frozen=True)
@@ -38,41 +39,32 @@ class Handout:
 def check_file(
     path: Path, sheet: Path | None = None, exercises: Path | None = None
 ) -> tuple[Handout, list[Remark]]:
-    """Remarks on every part of a student's file. `sheet` is the handed-out notebook, where the file is not one.
+    """Remarks on every part of a student's file.
 
-    A course's own exercises are looked for in the folder `exercises`, else in those of `own_folders`.
+    `sheet` is the handed-out notebook, where the file is not one. A course's own exercises are
+    looked for in the folder `exercises`, else in those of `own_folders`.
 
     Raises:
         CourseError: a file cannot be read, or does not say which sheet it belongs to.
         ExerciseError: an exercise file of the course cannot be run.
     """
-    if exercises is not None and not exercises.is_dir():
-        raise CourseError(
-            f"{exercises} is no folder; --exercises takes the one with the course's exercise files"
-        )
+    folders = _folders(path, exercises)
     submission = read_submission(path)
     handout = read_handout(sheet or path)
-    folders = [exercises] if exercises else own_folders(path)
-    files = exercise_files(*folders)
-    known = [find(slug, files) for slug in handout.numbers if slug in files]
-    if not known:
-        looked = (
-            f"nor in {' or '.join(map(str, folders))}"
-            if folders
-            else "nor is there a folder exercises/"
-        )
-        raise CourseError(
-            f"{sheet or path}: none of its exercises is installed here: {', '.join(handout.numbers)}; {looked} "
-            "(--exercises DIR, if you were given exercise files)"
-        )
-    numbers = {
-        exercise.slug: with_samples(exercise, handout.numbers[exercise.slug]) for exercise in known
-    }
-    asks = [ask for exercise in known for ask in submission.asks(exercise, numbers[exercise.slug])]
+    installed, missing = _installed(handout, folders)
+    if not installed:
+        raise CourseError(f"{sheet or path}: {_none_installed(handout, folders)}")
+
+    numbers: dict[str, dict[str, Any]] = {}
+    for exercise in installed:
+        numbers[exercise.slug] = with_samples(exercise, handout.numbers[exercise.slug])
+    asks: list[Ask] = []
+    for exercise in installed:
+        asks += submission.asks(exercise, numbers[exercise.slug])
     raws = submission.raws(asks, Limits())
-    unknown = "an exercise of this course that is not installed here; it is not checked"
-    found = [Remark(slug, ok=True, text=unknown) for slug in handout.numbers if slug not in files]
-    for exercise in known:
+
+    found = [Remark(slug, ok=True, text=NOT_INSTALLED) for slug in missing]
+    for exercise in installed:
         try:
             found += _remarks(handout.mode, exercise, numbers[exercise.slug], raws)
         except (KinegradeError, LookupError, TypeError, ValueError, ArithmeticError) as error:
@@ -82,52 +74,103 @@ def check_file(
     return handout, found
 
 
+def _folders(path: Path, exercises: Path | None) -> list[Path]:
+    if exercises is None:
+        return own_folders(path)
+    if not exercises.is_dir():
+        raise CourseError(
+            f"{exercises} is no folder; --exercises takes the one with the course's exercise files"
+        )
+    return [exercises]
+
+
+def _installed(handout: Handout, folders: Sequence[Path]) -> tuple[list[Exercise], list[str]]:
+    """The sheet's exercises whose files are here, and the names of those whose are not."""
+    files = exercise_files(*folders)
+    installed: list[Exercise] = []
+    missing: list[str] = []
+    for slug in handout.numbers:
+        if slug in files:
+            installed.append(find(slug, files))
+        else:
+            missing.append(slug)
+    return installed, missing
+
+
+def _none_installed(handout: Handout, folders: Sequence[Path]) -> str:
+    looked = "nor is there a folder exercises/"
+    if folders:
+        looked = f"nor in {' or '.join(map(str, folders))}"
+    return (
+        f"none of its exercises is installed here: {', '.join(handout.numbers)}; {looked} "
+        "(--exercises DIR, if you were given exercise files)"
+    )
+
+
 def own_folders(path: Path) -> list[Path]:
-    """Where exercise files may lie that this machine's owner put there: beside the notebook, and where one is.
+    """Folders of exercise files that this machine's owner made: beside the notebook, and here.
 
     What lies in a course's submitted/ came from somebody else and is not run.
     """
-    places = [place for place in (path.parent, Path()) if not _is_handed_in(place)]
-    found = {(place / "exercises").resolve(): place / "exercises" for place in places}
-    return [folder for real, folder in found.items() if real.is_dir() and not is_ours(real)]
+    found: dict[Path, Path] = {}
+    for place in (path.parent, Path()):
+        folder = place / "exercises"
+        real = folder.resolve()
+        if real.is_dir() and not is_ours(real) and not _is_handed_in(place):
+            found[real] = folder
+    return list(found.values())
 
 
 def _is_handed_in(place: Path) -> bool:
     folder = place.resolve()
-    return any(
-        outer.name == "submitted" and (outer.parent / "course.toml").exists()
-        for outer in (folder, *folder.parents)
-    )
+    for outer in (folder, *folder.parents):
+        if outer.name == "submitted" and (outer.parent / "course.toml").exists():
+            return True
+    return False
 
 
 def with_samples(exercise: Exercise, v: dict[str, Any]) -> dict[str, Any]:
-    """The sheet's numbers, and in place of those that the instructor keeps what a first draw would have."""
+    """The sheet's numbers; for those that the instructor keeps, what some draw gives instead."""
     if not exercise.hidden:
         return v
     sample = drawn(exercise, np.random.default_rng(0))
-    return {**{name: sample[name] for name in exercise.hidden if name in sample}, **v}
+    numbers: dict[str, Any] = {}
+    for name in exercise.hidden:
+        if name in sample:
+            numbers[name] = sample[name]
+    return numbers | v
 
 
 def read_handout(path: Path) -> Handout:
     """Sheet, mode and numbers from a notebook's metadata.
 
     Raises:
-        CourseError: it is no notebook, or the metadata were lost; the sentence says what to do then.
+        CourseError: it is no notebook, or the metadata were lost; it says what to do then.
     """
     try:
-        about: Any = json.loads(path.read_bytes())["metadata"][KEY]
-        numbers: dict[str, Any] = {slug: about["numbers"][slug] for slug in about["exercises"]}
-        mode = about["mode"]
-        if mode not in get_args(Mode) or not all(isinstance(v, dict) for v in numbers.values()):
-            raise ValueError(mode)  # noqa: TRY301 - one sentence for every way of being damaged
-        return Handout(str(about["sheet"]), mode, numbers)
+        return _handout(json.loads(path.read_bytes())["metadata"][KEY])
     except OSError as error:
         raise CourseError(f"{path} cannot be read: {error.strerror}") from error
     except (ValueError, KeyError, TypeError, RecursionError) as error:
         raise CourseError(
-            f"{path} does not say which sheet it belongs to (another program may have dropped that); "
-            "add the notebook as it was handed out: kinegrade check FILE --sheet HANDED_OUT.ipynb"
+            f"{path} does not say which sheet it belongs to (another program may have dropped "
+            "that); add the notebook as it was handed out: "
+            "kinegrade check FILE --sheet HANDED_OUT.ipynb"
         ) from error
+
+
+def _handout(about: Any) -> Handout:
+    """Raises an error of a type that says little, as all kinds of damage get one sentence."""
+    numbers: dict[str, dict[str, Any]] = {}
+    for slug in about["exercises"]:
+        given = about["numbers"][slug]
+        if not isinstance(given, dict):
+            raise TypeError(slug)
+        numbers[slug] = given
+    mode = about["mode"]
+    if mode not in get_args(Mode):
+        raise ValueError(mode)
+    return Handout(str(about["sheet"]), mode, numbers)
 
 
 def _remarks(
@@ -144,19 +187,23 @@ def _wrong_entries(right: Any) -> str:
         mask = np.array(right, dtype=bool)
     except ValueError:  # groups of calls of different sizes speak for themselves
         return ""
-    if right is None or mask.size < 2 or mask.all() or not mask.any():
+    if right is None or mask.size < 2:
         return ""
-    return f"{mask.sum()} of {mask.size} entries right, not these: {entries_named(~mask, MOST_PLACES)}."
+    if mask.all() or not mask.any():
+        return ""
+    wrong = entries_named(~mask, MOST_PLACES)
+    return f"{mask.sum()} of {mask.size} entries right, not these: {wrong}."
 
 
 def _told(verdict: Verdict) -> Remark:
-    """All of a verdict but the reference: status, reading, findings, and which entries are right."""
-    findings = (finding.text for finding in verdict.findings if not finding.private)
+    """All of a verdict but the reference: status, reading, findings, which entries are right."""
+    findings = [finding.text for finding in verdict.findings if not finding.private]
     texts = [verdict.reading, *findings, _wrong_entries(verdict.right)]
-    said = " ".join(text for text in texts if text)
-    words = STATUS_WORDS[verdict.status]
-    ok = verdict.status in (
-        "correct",
-        "not_graded",
-    )  # what waits for somebody else is not to be looked at again
-    return Remark(verdict.part, ok, f"{words}: {said}" if said else words)
+    said = " ".join(filter(None, texts))
+
+    told = STATUS_WORDS[verdict.status]
+    if said:
+        told = f"{told}: {said}"
+    # What waits for somebody else is not to be looked at again.
+    ok = verdict.status in ("correct", "not_graded")
+    return Remark(verdict.part, ok, told)

@@ -1,26 +1,25 @@
 """The command `kinegrade`. stdout carries data, stderr progress and complaints.
 
-Exit 0: done. 1: `check` found something wrong, or another command could not do its work. 2: wrong usage.
+Exit 0: done. 1: `check` found something wrong, or another command could not do its work.
+2: wrong usage.
 """
 
 import io
 import sys
-from contextlib import contextmanager
 from pathlib import Path
 from shlex import quote
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, NoReturn
 
 import typer
 
 from ..solutions.errors import KinegradeError
 from .complaints import debugging, one_of_each
 from .console import progress, say
+from .marks_command import marks
+from .options import CourseOption, JsonOption, SheetArguments, opened
 
 if TYPE_CHECKING:
-    from collections.abc import Generator
-
-    from .config import Course
-    from .gradebook import Gradebook
+    from .grading import Result
 
 app = typer.Typer(
     help="Personal exercise sheets, worked solutions and marking for the robot Jacobian.",
@@ -29,43 +28,51 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
-marks = typer.Typer(help="Marks for the parts that are marked by hand.", no_args_is_help=True)
 app.add_typer(marks, name="marks")
-CourseOption = Annotated[Path, typer.Option("--course", "-c", help="The course folder.")]
 STOPPED = 130  # what typer makes of Ctrl-C
-SheetArguments = Annotated[
-    list[str] | None, typer.Argument(help="Names of sheets; all when none is given.")
-]
+TOLD = {
+    "practice": "Practice sheet: everything is told but the reference values.",
+    "graded": "Graded sheet: this tells whether answers can be read and fit each other, "
+    "not if they are right.",
+    "exam": "Exam sheet: this tells whether answers can be read, nothing more.",
+}
+"""What `check` says of a sheet, by its mode."""
 
 
 def main() -> None:
     """Runs the command line; a complaint is one sentence, never a traceback."""
-    for stream in (sys.stdout, sys.stderr):
-        if isinstance(stream, io.TextIOWrapper):
-            stream.reconfigure(errors="replace")  # a console without ✓ shows a question mark
+    _show_what_the_console_can()
     try:
         with one_of_each():
             app()
     except KinegradeError as error:
-        sys.stderr.write(f"kinegrade: {error}\n")
-        sys.exit(1)
+        _stop(str(error))
     except OSError as error:
-        sys.stderr.write(f"kinegrade: {error.filename or 'a file'}: {error.strerror or error}\n")
-        sys.exit(1)
+        _stop(f"{error.filename or 'a file'}: {error.strerror or error}")
     except Exception as error:
         if debugging():
             raise
         said = f"{type(error).__name__}: {error}"
-        sys.stderr.write(
-            f"kinegrade: this is our fault, not yours: {said} (KINEGRADE_DEBUG=1 shows where)\n"
-        )
-        sys.exit(1)
+        _stop(f"this is our fault, not yours: {said} (KINEGRADE_DEBUG=1 shows where)")
     except SystemExit as stop:
         if stop.code == STOPPED:
             sys.stderr.write(
-                "\nkinegrade: stopped; what was done is kept, and the same command goes on from there\n"
+                "\nkinegrade: stopped; what was done is kept, "
+                "and the same command goes on from there\n"
             )
         raise
+
+
+def _show_what_the_console_can() -> None:
+    """A console without ✓ shows a question mark."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="replace")
+
+
+def _stop(complaint: str) -> NoReturn:
+    sys.stderr.write(f"kinegrade: {complaint}\n")
+    sys.exit(1)
 
 
 @app.command()
@@ -80,9 +87,12 @@ def demo(
     run_demo(folder)
 
 
-@app.command()
+@app.command(
+    help="Write a commented course.toml, a roster.csv, the course's secret, "
+    "and a .gitignore that keeps it to yourself."
+)
 def init(folder: Annotated[Path, typer.Argument(help="A new course folder.")]) -> None:
-    """Write a commented course.toml, a roster.csv, the course's secret, and a .gitignore that keeps it to yourself."""
+    """Write the files of a new course."""
     from .new_course import write_course
 
     for path in write_course(folder):
@@ -91,18 +101,18 @@ def init(folder: Annotated[Path, typer.Argument(help="A new course folder.")]) -
 
 
 @app.command()
-def generate(sheets: SheetArguments = None, course: CourseOption = Path()) -> None:
+def generate(sheets: SheetArguments = None, folder: CourseOption = Path()) -> None:
     """Draw every student's numbers and write the notebooks that are not there yet."""
     from .sheets import generate as write_sheets
 
-    with _opened(course) as (opened, gradebook):
-        chosen = opened.sheets(tuple(sheets or ()))
-        if not opened.students:
+    with opened(folder) as (course, gradebook):
+        chosen = course.sheets(tuple(sheets or ()))
+        if not course.students:
             raise KinegradeError(
-                f"{course / 'roster.csv'} has no students yet; add lines with an id and a name"
+                f"{folder / 'roster.csv'} has no students yet; add lines with an id and a name"
             )
-        with progress("Writing sheets", len(opened.students) * len(chosen)) as step:
-            released = write_sheets(opened, gradebook, chosen, step)
+        with progress("Writing sheets", len(course.students) * len(chosen)) as step:
+            released = write_sheets(course, gradebook, chosen, step)
         for sheet in released:
             if sheet.new:
                 print(sheet.path)
@@ -113,7 +123,7 @@ def generate(sheets: SheetArguments = None, course: CourseOption = Path()) -> No
 @app.command()
 def grade(
     sheets: SheetArguments = None,
-    course: CourseOption = Path(),
+    folder: CourseOption = Path(),
     accept_change: Annotated[
         bool,
         typer.Option(
@@ -123,24 +133,22 @@ def grade(
     again: Annotated[
         bool, typer.Option("--again", help="Mark anew what is marked already.")
     ] = False,
-    as_json: Annotated[bool, typer.Option("--json", help="Print JSON instead of a table.")] = False,
+    as_json: JsonOption = False,
 ) -> None:
     """Mark what was handed in; write grades.csv, feedback and the report."""
     from .marking import mark_sheets, show
     from .tables import results_json
 
-    with _opened(course) as (opened, gradebook):
-        marked = mark_sheets(
-            opened,
-            gradebook,
-            opened.sheets(tuple(sheets or ())),
-            accept_change=accept_change,
-            again=again,
-        )
-        if as_json:
-            print(results_json([result for _, results in marked for result in results]))
-        else:
-            show(opened, marked)
+    with opened(folder) as (course, gradebook):
+        chosen = course.sheets(tuple(sheets or ()))
+        marked = mark_sheets(course, gradebook, chosen, accept_change=accept_change, again=again)
+        if not as_json:
+            show(course, marked)
+            return
+        of_all_sheets: list[Result] = []
+        for _, results in marked:
+            of_all_sheets += results
+        print(results_json(of_all_sheets))
 
 
 @app.command()
@@ -153,8 +161,8 @@ def check(
         Path | None,
         typer.Option(
             "--exercises",
-            help="A folder with exercise files of the course, which are run; else exercises/ beside the notebook "
-            "and in this folder.",
+            help="A folder with exercise files of the course, which are run; "
+            "else exercises/ beside the notebook and in this folder.",
         ),
     ] = None,
 ) -> None:
@@ -163,138 +171,81 @@ def check(
     from .escape import printable
 
     handout, found = check_file(file, sheet, exercises)
+    well = True
     for remark in found:
+        mark = "✓"
+        if not remark.ok:
+            mark = "✗"
+            well = False
         sentence, *typed = remark.text.split("\n")
-        print(f"{'✓' if remark.ok else '✗'} {remark.part:28} {printable(sentence)}")
+        print(f"{mark} {remark.part:28} {printable(sentence)}")
         for line in typed:
             print(f"{'':30} {printable(line)}")
-    told = {
-        "practice": "Practice sheet: everything is told but the reference values.",
-        "graded": "Graded sheet: this tells whether answers can be read and fit each other, not if they are right.",
-        "exam": "Exam sheet: this tells whether answers can be read, nothing more.",
-    }
-    say(told[handout.mode])
-    raise typer.Exit(0 if all(remark.ok for remark in found) else 1)
-
-
-@marks.command("list")
-def list_marks(sheets: SheetArguments = None, course: CourseOption = Path()) -> None:
-    """Answers that wait for a mark, with the key and the rubric."""
-    from .marks import by_hand
-    from .tables import show_by_hand
-
-    with _opened(course) as (opened, gradebook):
-        show_by_hand(
-            [
-                one
-                for one in by_hand(opened, gradebook, opened.sheets(tuple(sheets or ())))
-                if one.waits
-            ]
-        )
-
-
-@marks.command("set")
-def set_mark(
-    student: Annotated[str, typer.Argument(help="An id of roster.csv.")],
-    part: Annotated[str, typer.Argument(help="The variable of the part.")],
-    points: Annotated[float, typer.Argument(help="Points, up to those of the part.")],
-    comment: Annotated[str, typer.Option("--comment", help="A sentence for the student.")] = "",
-    sheet: Annotated[
-        str | None, typer.Option("--sheet", help="The sheet, where the part is on several.")
-    ] = None,
-    course: CourseOption = Path(),
-) -> None:
-    """Enter one mark."""
-    from .marks import by_hand, enter
-
-    with _opened(course) as (opened, gradebook):
-        found = by_hand(opened, gradebook, opened.sheets((sheet,) if sheet else ()))
-        enter([*found], gradebook, student, part, points, comment)
-        say("Entered. `kinegrade report` writes the pages with it.")
-
-
-@marks.command("write")
-def write_marks(
-    file: Annotated[Path, typer.Argument(help="A new .csv file.")],
-    sheets: SheetArguments = None,
-    course: CourseOption = Path(),
-) -> None:
-    """Write a CSV file with a line for every answer; fill in points and comment, then `marks read`."""
-    from .marks import by_hand, write_csv
-
-    with _opened(course) as (opened, gradebook):
-        found = [*by_hand(opened, gradebook, opened.sheets(tuple(sheets or ())))]
-        write_csv(found, file)
-        print(file)
-        say(f"{len(found)} answers, {sum(one.waits for one in found)} of them wait for a mark.")
-
-
-@marks.command("read")
-def read_marks(
-    file: Annotated[Path, typer.Argument(help="The file of `marks write`, with points filled in.")],
-    course: CourseOption = Path(),
-) -> None:
-    """Enter the marks of a CSV file, all or none."""
-    from .marks import by_hand, read_csv
-
-    with _opened(course) as (opened, gradebook):
-        entered = read_csv(file, [*by_hand(opened, gradebook, opened.sheets())], gradebook)
-        say(f"{entered} marks entered. `kinegrade report` writes the pages with them.")
+    say(TOLD[handout.mode])
+    if not well:
+        raise typer.Exit(1)
 
 
 @app.command()
-def report(course: CourseOption = Path()) -> None:
+def report(folder: CourseOption = Path()) -> None:
     """Write grades.csv, feedback and the report again from the gradebook, without marking."""
     from .marking import write_recorded
 
-    with _opened(course) as (opened, gradebook):
-        print(write_recorded(opened, gradebook))
+    with opened(folder) as (course, gradebook):
+        print(write_recorded(course, gradebook))
 
 
-@app.command()
+@app.command(
+    help="Prove that exercises can be solved, marked and told apart from nonsense "
+    "and known mistakes."
+)
 def validate(
     exercises: Annotated[
         list[str] | None,
         typer.Argument(
-            help="Names or files of exercises; when none is given, all that the course uses, or without a course all."
+            help="Names or files of exercises; when none is given, all that the course uses, "
+            "or without a course all."
         ),
     ] = None,
-    course: CourseOption = Path(),
+    folder: CourseOption = Path(),
     draws: Annotated[
         int, typer.Option("--draws", min=1, help="How many draws of each are looked at.")
     ] = 20,
     seeds: Annotated[
         int | None, typer.Option("--seeds", min=1, hidden=True, help="The same as --draws.")
     ] = None,
-    as_json: Annotated[bool, typer.Option("--json", help="Print JSON instead of a table.")] = False,
+    as_json: JsonOption = False,
 ) -> None:
-    """Prove that exercises can be solved, marked and told apart from nonsense and known mistakes."""
+    """Prove exercises on many draws."""
     from .proof.validate import chosen
     from .proof.validate import validate as look
     from .proof.validation_table import show_validations, validations_json
 
     draws = seeds or draws
-    paths = chosen(tuple(exercises or ()), course)
+    paths = chosen(tuple(exercises or ()), folder)
     with progress("Validating", len(paths) * draws) as step:
         validations = look(paths, draws, step)
     if as_json:
         print(validations_json(validations))
     else:
         show_validations(validations)
-    raise typer.Exit(1 if any(validation.failures for validation in validations) else 0)
+    if any(validation.failures for validation in validations):
+        raise typer.Exit(1)
 
 
 @app.command()
 def new(
     name: Annotated[str, typer.Argument(help="What the exercise is called, such as tip_speed.")],
-    course: CourseOption = Path(),
+    folder: CourseOption = Path(),
 ) -> None:
     """Write an exercise file that runs, with comments, into the course's exercises/ folder."""
     from .new_exercise import write_exercise
 
-    path = write_exercise(name, course)
+    path = write_exercise(name, folder)
     print(path)
-    where = "" if course == Path() else f" --course {quote(str(course))}"
+    where = ""
+    if folder != Path():
+        where = f" --course {quote(str(folder))}"
     say(f"See it: kinegrade preview {name}{where}   Prove it: kinegrade validate {name}{where}")
 
 
@@ -303,7 +254,7 @@ def preview(
     exercise: Annotated[str, typer.Argument(help="The name or the file of an exercise.")],
     seed: Annotated[int, typer.Option("--seed", min=0, help="Which draw is shown.")] = 0,
     output: Annotated[Path | None, typer.Option("--output", "-o", help="An .html file.")] = None,
-    course: CourseOption = Path(),
+    folder: CourseOption = Path(),
     show: Annotated[bool, typer.Option("--open/--no-open", help="Open it in a browser.")] = True,
 ) -> None:
     """Write sheet, worked solution and the feedback of every known mistake as one page."""
@@ -312,7 +263,7 @@ def preview(
     from .proof.preview import preview_page
     from .proof.validate import chosen
 
-    (file,) = chosen((exercise,), course)
+    (file,) = chosen((exercise,), folder)
     made = load(file)
     path = output or Path(f"{made.slug}-preview.html")
     write_atomically(path, preview_page(made, seed))
@@ -338,13 +289,3 @@ def plot(
     write_atomically(path, picture(arm, path.suffix))
     print(path)
     say(describe(arm))
-
-
-@contextmanager
-def _opened(folder: Path) -> "Generator[tuple[Course, Gradebook]]":
-    from .config import read_course
-    from .gradebook import Gradebook
-
-    course = read_course(folder)
-    with Gradebook(folder / "gradebook.sqlite") as gradebook:
-        yield course, gradebook

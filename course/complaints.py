@@ -18,12 +18,16 @@ def debugging() -> bool:
 
 @contextmanager
 def marking_failures() -> Generator[list[tuple[str, BaseException]]]:
-    """Collects the exceptions that leave a part unmarked, with the part's variable, instead of logging them."""
+    """Collects the exceptions that leave a part unmarked instead of logging them.
+
+    The list that is given fills with the part's variable and the exception.
+    """
     found: list[tuple[str, BaseException]] = []
 
     def collected(record: logging.LogRecord) -> bool:
-        if record.exc_info and record.exc_info[1] and isinstance(record.args, tuple):
-            found.append((str(record.args[0]), record.exc_info[1]))
+        error = _error_of(record)
+        if error is not None and isinstance(record.args, tuple):
+            found.append((str(record.args[0]), error))
         return debugging()
 
     logger = logging.getLogger(MARKING)
@@ -32,6 +36,12 @@ def marking_failures() -> Generator[list[tuple[str, BaseException]]]:
         yield found
     finally:
         logger.removeFilter(collected)
+
+
+def _error_of(record: logging.LogRecord) -> BaseException | None:
+    if not record.exc_info:
+        return None
+    return record.exc_info[1]
 
 
 @contextmanager
@@ -47,7 +57,7 @@ def one_of_each() -> Generator[None]:
 
 
 class _OneOfEach(logging.Handler):
-    """Says the first of equal complaints on stderr, in one line, and when it is closed how many more there were."""
+    """Says the first of equal complaints in one line, and when it is closed how many more came."""
 
     def __init__(self) -> None:
         """Hears warnings and errors."""
@@ -56,18 +66,24 @@ class _OneOfEach(logging.Handler):
         self._more: Counter[tuple[str, ...]] = Counter()
 
     def emit(self, record: logging.LogRecord) -> None:
-        """Says or counts one complaint. Equal are those of one kind and place, whoever's sheet it was."""
-        from ..exercises.files.loading import (
-            place,
-            stopped,
-        )  # which brings numpy, for those who complain
+        """Says or counts one complaint.
 
-        error = record.exc_info[1] if record.exc_info else None
-        kind = (record.name, record.msg, type(error).__name__, place(error) if error else "")
+        Equal are those of one kind and place, whoever's sheet it was.
+        """
+        # These bring numpy, for those who complain only.
+        from ..exercises.files.loading import place, stopped
+
+        said = f"{record.levelname}: {record.getMessage()}"
+        where = ""
+        error = _error_of(record)
+        if error is not None:
+            said = f"{said}: {stopped(error)}"
+            where = place(error)
+        kind = (record.name, record.msg, type(error).__name__, where)
         if kind in self._first:
             self._more[kind] += 1
             return
-        said = f"{record.levelname}: {record.getMessage()}{f': {stopped(error)}' if error else ''}"
+
         self._first[kind] = said
         say(said)
         if debugging() and record.exc_info:

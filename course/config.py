@@ -4,7 +4,7 @@ import csv
 import io
 import re
 import tomllib
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any, Literal
@@ -15,13 +15,12 @@ from ..solutions.errors import KinegradeError, did_you_mean
 
 Mode = Literal["practice", "graded", "exam"]
 SAFE_NAME = re.compile(r"[A-Za-z0-9]([A-Za-z0-9._-]{0,62}[A-Za-z0-9_-])?")
-DEVICE = re.compile(
-    r"(con|prn|aux|nul|com[0-9]|lpt[0-9])(\..*)?", re.IGNORECASE
-)  # no file name on Windows
+DEVICE = re.compile(r"(con|prn|aux|nul|com[0-9]|lpt[0-9])(\..*)?", re.IGNORECASE)
+"""No file can be called so on Windows."""
 SCRIPT_NAME = re.compile(r"[A-Za-z]\w{0,62}", re.ASCII)
 MATLAB_WORD = re.compile(
-    "break|case|catch|classdef|continue|else|elseif|end|for|function|global|if|otherwise|parfor|persistent|return|spmd|"
-    "switch|try|while"
+    "break|case|catch|classdef|continue|else|elseif|end|for|function|global|if|"
+    "otherwise|parfor|persistent|return|spmd|switch|try|while"
 )
 Name = Annotated[str, Field(pattern=rf"^{SAFE_NAME.pattern}$")]
 
@@ -37,8 +36,9 @@ class _Strict(BaseModel):
 class Sheet(_Strict):
     """One hand-out: its exercises in order, and what a check may tell before the deadline.
 
-    With `matlab`, students get a script to start from beside the notebook. `pinned` holds, by exercise, the choices of
-    form that all students shall have alike, so that points mean the same for everybody.
+    With `matlab`, students get a script to start from beside the notebook. `pinned` holds, by
+    exercise, the choices of form that all students shall have alike, so that points mean the same
+    for everybody.
     """
 
     name: Name
@@ -61,9 +61,8 @@ class Settings(_Strict):
     """All of course.toml."""
 
     title: str
-    secret: Annotated[str, Field(min_length=16)] | None = (
-        None  # of older courses; it has a file of its own
-    )
+    # Of older courses; the secret has a file of its own.
+    secret: Annotated[str, Field(min_length=16)] | None = None
     sheet: Annotated[tuple[Sheet, ...], Field(min_length=1)]
     limits: LimitsTable = LimitsTable()
 
@@ -90,13 +89,16 @@ class Course:
         Raises:
             CourseError: a name is not that of a sheet.
         """
+        if not names:
+            return self.settings.sheet
         known = {sheet.name: sheet for sheet in self.settings.sheet}
         for name in names:
             if name not in known:
                 raise CourseError(
-                    f"there is no sheet {name!r}{hint(name, known)}; course.toml has: {', '.join(known)}"
+                    f"there is no sheet {name!r}{hint(name, known)}; "
+                    f"course.toml has: {', '.join(known)}"
                 )
-        return tuple(known[name] for name in names) or self.settings.sheet
+        return tuple(known[name] for name in names)
 
 
 def read_course(folder: Path) -> Course:
@@ -110,55 +112,87 @@ def read_course(folder: Path) -> Course:
 
 
 def read_settings(path: Path) -> Settings:
-    """course.toml, with every key known and every value possible."""
+    """course.toml, with every key known and every value possible.
+
+    Raises:
+        CourseError: it is missing, unreadable, or says something that cannot be meant.
+    """
     text = _text(path, "a course folder takes a course.toml; `kinegrade init DIR` writes one")
     try:
         settings = Settings.model_validate(tomllib.loads(text))
     except tomllib.TOMLDecodeError as error:
         raise CourseError(f"{path}: not TOML: {error}") from error
     except ValidationError as error:
-        first = min(
-            error.errors(), key=lambda found: found["type"] != "extra_forbidden"
-        )  # a typo explains the rest
-        raise CourseError(f"{path}: {_sentence(first)}") from error
+        raise CourseError(f"{path}: {_sentence(_telling(error))}") from error
+
     names = [sheet.name.casefold() for sheet in settings.sheet]
     for sheet in settings.sheet:
         if names.count(sheet.name.casefold()) > 1:
             raise CourseError(
                 f"{path}: two sheets are called {sheet.name!r}; a sheet takes a name of its own"
             )
-        if DEVICE.fullmatch(sheet.name):
-            raise CourseError(
-                f"{path}: a sheet cannot be called {sheet.name!r}: no file can, on Windows"
-            )
-        if sheet.matlab and (
-            not SCRIPT_NAME.fullmatch(sheet.name) or MATLAB_WORD.fullmatch(sheet.name)
-        ):
-            raise CourseError(
-                f"{path}: a sheet with matlab = true takes a name that MATLAB can run: letters, digits and '_', at "
-                f"most 63, starting with a letter, and no word of its language; got {sheet.name!r}"
-            )
+        _refuse_as_file_name(path, sheet)
     return settings
 
 
-def _sentence(error: Any) -> str:
-    where = ".".join(str(step + 1) if isinstance(step, int) else str(step) for step in error["loc"])
-    if error["type"] == "extra_forbidden":
-        keys = _valid_keys(error["loc"][:-1])
-        return f"unknown key {where!r}{hint(str(error['loc'][-1]), keys)}; valid here: {', '.join(keys)}"
-    if error["type"] == "missing":
+def _refuse_as_file_name(path: Path, sheet: Sheet) -> None:
+    """Refuses names that no file can have, or no script where there is one."""
+    if DEVICE.fullmatch(sheet.name):
+        raise CourseError(
+            f"{path}: a sheet cannot be called {sheet.name!r}: no file can, on Windows"
+        )
+    if not sheet.matlab:
+        return
+    if not SCRIPT_NAME.fullmatch(sheet.name) or MATLAB_WORD.fullmatch(sheet.name):
+        raise CourseError(
+            f"{path}: a sheet with matlab = true takes a name that MATLAB can run: "
+            "letters, digits and '_', at most 63, starting with a letter, "
+            f"and no word of its language; got {sheet.name!r}"
+        )
+
+
+def _telling(error: ValidationError) -> Any:
+    """The first complaint about an unknown key, as a typo explains the rest, else the first."""
+    found = error.errors()
+    for one in found:
+        if one["type"] == "extra_forbidden":
+            return one
+    return found[0]
+
+
+def _sentence(complaint: Any) -> str:
+    """What pydantic complains about, for people who write course.toml."""
+    steps: list[str] = []
+    for step in complaint["loc"]:
+        if isinstance(step, int):
+            step += 1  # noqa: PLW2901 - people count tables from 1
+        steps.append(str(step))
+    where = ".".join(steps)
+
+    if complaint["type"] == "extra_forbidden":
+        *tables, key = complaint["loc"]
+        keys = _valid_keys(tables)
+        return f"unknown key {where!r}{hint(str(key), keys)}; valid here: {', '.join(keys)}"
+    if complaint["type"] == "missing":
         return f"the key {where!r} is missing"
-    return f"{where}: {error['msg'][:1].lower()}{error['msg'][1:]}, got {_shown(error['loc'], error['input'])}"
+    message = complaint["msg"]
+    got = _shown(complaint["loc"], complaint["input"])
+    return f"{where}: {message[:1].lower()}{message[1:]}, got {got}"
 
 
 def _shown(where: tuple[Any, ...], value: Any) -> str:
-    return "something else" if "secret" in where else repr(value)[:60]
+    """What was found; never the secret."""
+    if "secret" in where:
+        return "something else"
+    return repr(value)[:60]
 
 
-def _valid_keys(where: tuple[Any, ...]) -> list[str]:
-    table: Any = (
-        {"sheet": Sheet, "limits": LimitsTable}.get(str(where[0]), Settings) if where else Settings
-    )
+def _valid_keys(tables: Sequence[Any]) -> list[str]:
+    """The keys of a table of course.toml; the outermost has no name."""
+    known: dict[str, type[BaseModel]] = {"sheet": Sheet, "limits": LimitsTable}
+    table: type[BaseModel] = Settings
+    if tables:
+        table = known.get(str(tables[0]), Settings)
     return list(table.model_fields)
 
 
@@ -169,7 +203,11 @@ def hint(name: str, known: Iterable[str]) -> str:
 
 
 def read_roster(path: Path) -> Iterator[Student]:
-    """Students in the order of roster.csv, which takes the columns student and name."""
+    """Students in the order of roster.csv, which takes the columns student and name.
+
+    Raises:
+        CourseError: it is missing or unreadable, or a line of it cannot be meant.
+    """
     text = _text(path, "a course folder takes a roster.csv with the columns student,name")
     try:
         yield from _students(path, csv.DictReader(io.StringIO(text, newline="")))
@@ -178,36 +216,48 @@ def read_roster(path: Path) -> Iterator[Student]:
 
 
 def _students(path: Path, rows: "csv.DictReader[str]") -> Iterator[Student]:
-    columns = [column.strip() for column in rows.fieldnames or ()]
-    for column in ("student", "name"):
-        if column not in columns:
-            raise CourseError(
-                f"{path}: the column {column!r} is missing; the first line has: {', '.join(columns) or 'nothing'}"
-            )
+    columns = _columns(path, rows)
     seen: dict[str, int] = {}
     for row in rows:
-        line = rows.line_num
+        place = f"{path}, line {rows.line_num}"
         surplus: Any = row.pop(None, [])  # pyright: ignore[reportArgumentType, reportCallIssue]
         if any(surplus):
             raise CourseError(
-                f"{path}, line {line}: {len(columns) + len(surplus)} cells for {len(columns)} columns; "
+                f"{place}: {len(columns) + len(surplus)} cells for {len(columns)} columns; "
                 'a name with a comma takes quotes: "Lovelace, Ada"'
             )
-        cells = {key.strip(): " ".join((value or "").split()) for key, value in row.items()}
+        cells: dict[str, str] = {}
+        for column, text in row.items():
+            cells[column.strip()] = " ".join((text or "").split())
         if not any(cells.values()):
             continue
+
         student = cells["student"]
-        if not SAFE_NAME.fullmatch(student) or DEVICE.fullmatch(student):
-            raise CourseError(
-                f"{path}, line {line}: a student takes an id of letters, digits, '.', '_' and '-' "
-                f"(it names a folder, so CON and the like are out), got {student!r}"
-            )
-        if student.casefold() in seen:
-            raise CourseError(
-                f"{path}, line {line}: student {student!r} is already in line {seen[student.casefold()]}"
-            )
-        seen[student.casefold()] = line
+        _refuse_as_folder_name(place, student)
+        folder = student.casefold()  # ADA and ada are one folder on some machines
+        if folder in seen:
+            raise CourseError(f"{place}: student {student!r} is already in line {seen[folder]}")
+        seen[folder] = rows.line_num
         yield Student(student, cells["name"] or student)
+
+
+def _columns(path: Path, rows: "csv.DictReader[str]") -> list[str]:
+    columns = [column.strip() for column in rows.fieldnames or ()]
+    found = ", ".join(columns) or "nothing"
+    for column in ("student", "name"):
+        if column not in columns:
+            raise CourseError(
+                f"{path}: the column {column!r} is missing; the first line has: {found}"
+            )
+    return columns
+
+
+def _refuse_as_folder_name(place: str, student: str) -> None:
+    if not SAFE_NAME.fullmatch(student) or DEVICE.fullmatch(student):
+        raise CourseError(
+            f"{place}: a student takes an id of letters, digits, '.', '_' and '-' "
+            f"(it names a folder, so CON and the like are out), got {student!r}"
+        )
 
 
 def _text(path: Path, missing: str) -> str:

@@ -1,4 +1,4 @@
-"""Drawing one variant of an exercise: plain numbers that JSON keeps, or a sentence about what else `draw` gave."""
+"""Drawing one variant of an exercise: plain numbers that JSON keeps, or what to write instead."""
 
 import json
 import math
@@ -18,7 +18,8 @@ def drawn(exercise: Exercise, rng: np.random.Generator) -> dict[str, Any]:
     """What `draw` gives, after it went through JSON.
 
     Raises:
-        ExerciseError: `draw` stopped, or gave what JSON cannot hold; the sentence says what to write instead.
+        ExerciseError: `draw` stopped, or gave what JSON cannot hold; the sentence says what to
+            write instead.
     """
     return _through_json(exercise, _draw(exercise, rng))
 
@@ -38,8 +39,9 @@ def prove_drawn(exercise: Exercise, seed: int, numbers: dict[str, Any]) -> None:
         )
     if again != numbers:
         raise ExerciseError(
-            f"exercise {exercise.slug}: draw gives other numbers from an equal generator; take every random number "
-            "from the rng that it is called with, none from np.random or random"
+            f"exercise {exercise.slug}: draw gives other numbers from an equal generator; "
+            "take every random number from the rng that it is called with, "
+            "none from np.random or random"
         )
 
 
@@ -54,8 +56,8 @@ def _draw(exercise: Exercise, rng: np.random.Generator) -> dict[str, Any]:
         ) from error
     if not isinstance(given, dict):
         raise ExerciseError(
-            f'exercise {exercise.slug}: draw takes a dict of names and numbers, such as {{"a": 0.5}}, '
-            f"got {type(given).__name__}"
+            f"exercise {exercise.slug}: draw takes a dict of names and numbers, "
+            f'such as {{"a": 0.5}}, got {type(given).__name__}'
         )
     return cast("dict[str, Any]", given)
 
@@ -74,17 +76,29 @@ def _unplain(place: str, value: Any) -> Iterator[str]:
     """What is no plain number, text, list or dict, and what to write for it."""
     if isinstance(value, dict):
         for name, inner in cast("dict[Any, Any]", value).items():
-            yield from _unplain(f"{place}[{name!r}]" if place else str(name), inner)
+            yield from _unplain(_inside(place, name), inner)
     elif isinstance(value, list | tuple):
         for i, inner in enumerate(cast("list[Any]", value)):
             yield from _unplain(f"{place}[{i}]", inner)
-    elif isinstance(value, np.ndarray):
-        yield f"{place} is a numpy array; write {place}.tolist()"
-    elif isinstance(value, np.generic) and not isinstance(value, PLAIN):
-        scalar = cast("Any", value)
-        yield f"{place} is a numpy {type(scalar).__name__}; write {type(scalar.item()).__name__}({place})"
     elif not isinstance(value, PLAIN):
-        yield f"{place} is of type {type(value).__name__}; write numbers, text, lists and dicts"
+        yield _instead(place, value)
+
+
+def _inside(place: str, name: Any) -> str:
+    """What stands under a key of a dict; of the outermost, the key alone."""
+    if not place:
+        return str(name)
+    return f"{place}[{name!r}]"
+
+
+def _instead(place: str, value: Any) -> str:
+    if isinstance(value, np.ndarray):
+        return f"{place} is a numpy array; write {place}.tolist()"
+    if isinstance(value, np.generic):
+        scalar = cast("Any", value)
+        kind = type(scalar).__name__
+        return f"{place} is a numpy {kind}; write {type(scalar.item()).__name__}({place})"
+    return f"{place} is of type {type(value).__name__}; write numbers, text, lists and dicts"
 
 
 def _changed(place: str, value: Any) -> Iterator[str]:
@@ -93,7 +107,7 @@ def _changed(place: str, value: Any) -> Iterator[str]:
         for name, inner in cast("dict[Any, Any]", value).items():
             if not isinstance(name, str):
                 yield f"{place or 'the dict'} has the key {name!r}; write text for it"
-            yield from _changed(f"{place}[{name!r}]" if place else str(name), inner)
+            yield from _changed(_inside(place, name), inner)
     elif isinstance(value, tuple):
         yield f"{place} is a tuple; write a list"
     elif isinstance(value, list):

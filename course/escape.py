@@ -1,18 +1,28 @@
 """Text from others, made harmless for where it goes: a terminal, a spreadsheet, Markdown."""
 
 MARKUP = "*_`<>[]\\$&#|~"
+FORMULA_STARTS = "=+-@\t\r＝＋－＠"
 
 
 def printable(text: str) -> str:
     """One line without control characters, which a terminal would obey, or halves of characters."""
-    return "".join(char if char.isprintable() else "\N{REPLACEMENT CHARACTER}" for char in text)
+    return "".join(_printable(char) for char in text)
+
+
+def _printable(char: str) -> str:
+    if char.isprintable():
+        return char
+    return "\N{REPLACEMENT CHARACTER}"
 
 
 def no_formula(text: str) -> str:
-    """Spreadsheets run cells that start like a formula."""
-    return f"'{text}" if text[:1] in "=+-@\t\r＝＋－＠" else text
+    """Text with an apostrophe before what a spreadsheet would run as a formula."""
+    if text[:1] in FORMULA_STARTS:
+        return f"'{text}"
+    return text
 
 
 def no_markup(text: str) -> str:
-    """Text without what Markdown or HTML would read as markup."""
-    return " ".join("".join(char for char in printable(text) if char not in MARKUP).split())
+    """Text without what Markdown or HTML would read as markup, and single spaces in it."""
+    kept = printable(text).translate(str.maketrans("", "", MARKUP))
+    return " ".join(kept.split())

@@ -6,14 +6,15 @@ from pathlib import Path
 
 
 def write_atomically(path: Path, data: bytes | str, mode: int = 0o644) -> None:
-    """The whole new content or the old: written under a temporary name beside it, synced, then renamed."""
+    """The whole new content or the old: written under a temporary name, synced, then renamed."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    # A student's text may hold half a surrogate pair, which UTF-8 cannot; a question mark stands for it.
-    content = data.encode("utf-8", errors="replace") if isinstance(data, str) else data
+    if isinstance(data, str):
+        # A student's text may hold half a surrogate pair, for which a question mark stands.
+        data = data.encode("utf-8", errors="replace")
     handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.", suffix=".part")
     try:
         with os.fdopen(handle, "wb") as file:
-            file.write(content)
+            file.write(data)
             file.flush()
             os.fsync(file.fileno())
         os.chmod(name, mode)  # noqa: PTH101 - mkstemp gives 0600; a sheet is for its student

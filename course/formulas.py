@@ -15,7 +15,9 @@ COMMA = r",\; "
 def number(value: float, decimals: int) -> str:
     """A number with that many decimals and no minus sign before zero."""
     text = f"{value:.{decimals}f}"
-    return text[1:] if text.startswith("-") and not text.strip("-0.") else text
+    if not text.strip("-0."):
+        return text.removeprefix("-")
+    return text
 
 
 def matrix(values: ArrayLike, decimals: int) -> str:
@@ -25,15 +27,21 @@ def matrix(values: ArrayLike, decimals: int) -> str:
         return number(float(array), decimals)
     if array.ndim == 3:
         return r",\quad ".join(matrix(part, decimals) for part in array)
-    rows = array[:, None] if array.ndim == 1 else array
-    body = r" \\ ".join(" & ".join(number(x, decimals) for x in row) for row in rows)
+    if array.ndim == 1:
+        array = array[:, None]
+    rows: list[str] = []
+    for row in array:
+        entries = [number(x, decimals) for x in row]
+        rows.append(" & ".join(entries))
+    body = r" \\ ".join(rows)
     return rf"\begin{{bmatrix}} {body} \end{{bmatrix}}"
 
 
 def closed_form(expression: Any) -> str:
     """LaTeX of a sympy expression or matrix, with c_1 for cos q_1 and s_23 for sin(q_2 + q_3)."""
-    immutable = expression.as_immutable() if hasattr(expression, "as_immutable") else expression
-    return _printed(immutable)
+    if hasattr(expression, "as_immutable"):  # a matrix; only an immutable one can be looked up
+        expression = expression.as_immutable()
+    return _printed(expression)
 
 
 @lru_cache(maxsize=1024)
@@ -46,22 +54,42 @@ def _printed(expression: Any) -> str:
 
 
 def given_number(symbol: str, value: Any, units: Any) -> str:
-    """LaTeX of one drawn number, vector or matrix with its unit; a matrix of several units has none."""
-    kinds = list(dict.fromkeys(np.array(units).ravel().tolist()))
-    unit = rf"\,{unit_latex(kinds[0])}" if len(kinds) == 1 and kinds[0] != "1" else ""
+    """LaTeX of one drawn number, vector or matrix with its unit.
+
+    Args:
+        symbol: LaTeX of its name.
+        value: a number, or numbers in lists.
+        units: one unit, or one for each number, nested alike; a matrix of several units shows none.
+    """
+    different = set(np.array(units).ravel().tolist())
+    if isinstance(value, list) and not isinstance(value[0], list) and len(different) > 1:
+        entries = [_with_unit(x, unit) for x, unit in zip(value, units, strict=True)]
+        return rf"{symbol} = ({COMMA.join(entries)})"
+
+    shown = _shown(value)
+    if len(different) == 1:
+        shown = _with_unit(shown, different.pop())
+    return rf"{symbol} = {shown}"
+
+
+def _shown(value: Any) -> str:
+    """LaTeX of a number, a vector in parentheses or a matrix, to the digits that were drawn."""
     if not isinstance(value, list):
-        return rf"{symbol} = {value}{unit}"
-    if isinstance(value[0], list):
-        decimals = max(len(str(x).partition(".")[2]) for row in value for x in row)
-        return rf"{symbol} = {matrix(value, decimals)}{unit}"
-    if len(kinds) == 1:
-        return rf"{symbol} = ({COMMA.join(map(str, value))}){unit}"
-    inside = COMMA.join(_with_unit(x, unit) for x, unit in zip(value, units, strict=True))
-    return rf"{symbol} = ({inside})"
+        return str(value)
+    if not isinstance(value[0], list):
+        return f"({COMMA.join(map(str, value))})"
+    decimals = 0
+    for row in value:
+        for entry in row:
+            _, _, behind_the_point = str(entry).partition(".")
+            decimals = max(decimals, len(behind_the_point))
+    return matrix(value, decimals)
 
 
-def _with_unit(value: float, unit: str) -> str:
-    return str(value) if unit == "1" else rf"{value}\,{unit_latex(unit)}"
+def _with_unit(shown: Any, unit: str) -> str:
+    if unit == "1":
+        return str(shown)
+    return rf"{shown}\,{unit_latex(unit)}"
 
 
 def unit_latex(unit: str) -> str:
@@ -71,25 +99,27 @@ def unit_latex(unit: str) -> str:
 
 
 def page_text(text: str) -> str:
-    """HTML of one line of our own Markdown: MathML between dollar signs, code between backticks, all else escaped."""
-    parts = re.split(r"(\$[^$]+\$|`[^`]+`)", text)
-    return "".join(
-        mathml(part[1:-1])
-        if part.startswith("$")
-        else f"<code>{escape(part[1:-1])}</code>"
-        if part.startswith("`")
-        else escape(part)
-        for part in parts
-    )
+    """HTML of one line of our own Markdown.
+
+    What stands between dollar signs becomes MathML, between backticks code; all else is escaped.
+    """
+    pieces: list[str] = []
+    for piece in re.split(r"(\$[^$]+\$|`[^`]+`)", text):
+        if piece.startswith("$"):
+            pieces.append(mathml(piece[1:-1]))
+        elif piece.startswith("`"):
+            pieces.append(f"<code>{escape(piece[1:-1])}</code>")
+        else:
+            pieces.append(escape(piece))
+    return "".join(pieces)
 
 
 def mathml(latex: str, display: str = "inline") -> str:
     """MathML of a formula, inline or as a block."""
     from latex2mathml.converter import convert
 
-    upright = re.sub(
-        r"\\mathrm\{(\w)\}", r"\\text{\1}", latex
-    )  # the converter sets a single letter, a unit, in italics
+    # The converter sets a single upright letter, which is a unit, in italics.
+    upright = re.sub(r"\\mathrm\{(\w)\}", r"\\text{\1}", latex)
     return _bold(convert(upright, display=display))
 
 
@@ -97,7 +127,9 @@ def _bold(html: str) -> str:
     """Bold letters as characters of their own: browsers pass over mathvariant."""
 
     def letter(match: re.Match[str]) -> str:
-        first = 0x1D400 - ord("A") if match[1].isupper() else 0x1D41A - ord("a")
-        return f"<mi>{chr(ord(match[1]) + first)}</mi>"
+        bold = chr(0x1D41A + ord(match[1]) - ord("a"))
+        if match[1].isupper():
+            bold = chr(0x1D400 + ord(match[1]) - ord("A"))
+        return f"<mi>{bold}</mi>"
 
     return re.sub(r'<mi mathvariant="bold">([A-Za-z])</mi>', letter, html)

@@ -15,6 +15,7 @@ from sqlalchemy import (
     Float,
     Integer,
     MetaData,
+    RowMapping,
     String,
     Table,
     Text,
@@ -76,7 +77,10 @@ _marks = Table(
 
 @dataclass(frozen=True)
 class Mark:
-    """What a marker gave by hand for one answer; `answer` names it, so that another answer needs another mark."""
+    """What a marker gave by hand for one answer.
+
+    `answer` names the one that was read, so that another answer needs another mark.
+    """
 
     student: str
     sheet: str
@@ -151,13 +155,12 @@ class Gradebook:
 
     def records(self, sheet: str) -> list[Record]:
         """Everything drawn for a sheet."""
+        return [_record(row) for row in self._rows_of(_records, sheet)]
+
+    def _rows_of(self, table: Table, sheet: str) -> Sequence[RowMapping]:
         with self.transaction() as connection:
-            rows = (
-                connection.execute(select(_records).where(_records.c.sheet == sheet))
-                .mappings()
-                .all()
-            )
-        return [_record(dict(row)) for row in rows]
+            found = connection.execute(select(table).where(table.c.sheet == sheet))
+            return found.mappings().all()
 
     def save_records(self, records: Sequence[Record]) -> None:
         """Adds the records of one student's sheet, together or not at all."""
@@ -166,18 +169,19 @@ class Gradebook:
                 connection.execute(_records.insert().values(**_row(record)))
 
     def accept_answers(self, record: Record, answers: dict[str, Any]) -> None:
-        """Replaces a record's fingerprint after the instructor accepted that the reference changed."""
+        """Replaces a record's answers after the instructor accepted that the reference changed."""
         key = {"student": record.student, "sheet": record.sheet, "exercise": record.exercise}
+        update = _records.update().where(*_same(_records, key))
         with self.transaction() as connection:
-            connection.execute(
-                _records.update().where(*_same(_records, key)).values(answers=json.dumps(answers))
-            )
+            connection.execute(update.values(answers=json.dumps(answers)))
 
     def verdicts(self, key: GradeKey) -> list[Verdict] | None:
         """What this submission got by these rules, or None when it was never marked by them."""
         with self.transaction() as connection:
             text = connection.scalar(select(_grades.c.verdicts).where(*_same(_grades, vars(key))))
-        return None if text is None else _verdicts(text)
+        if text is None:
+            return None
+        return _verdicts(text)
 
     def save_grade(self, key: GradeKey, verdicts: Sequence[Verdict]) -> None:
         """The grade and that it is the current one, in one transaction."""
@@ -194,11 +198,8 @@ class Gradebook:
 
     def marks(self, sheet: str) -> dict[tuple[str, str], Mark]:
         """Marks entered by hand, by student and part."""
-        with self.transaction() as connection:
-            rows = (
-                connection.execute(select(_marks).where(_marks.c.sheet == sheet)).mappings().all()
-            )
-        return {(row["student"], row["part"]): Mark(**dict(row)) for row in rows}
+        marks = [Mark(**row) for row in self._rows_of(_marks, sheet)]
+        return {(mark.student, mark.part): mark for mark in marks}
 
     def save_marks(self, marks: Sequence[Mark]) -> None:
         """Enters marks, all or none; an earlier mark of the same part is replaced."""
@@ -210,23 +211,20 @@ class Gradebook:
 
     def current(self, sheet: str) -> dict[str, list[Verdict]]:
         """Student to verdicts: what counts now."""
-        same = [
-            _current.c[name] == _grades.c[name]
-            for name in ("student", "sheet", "submission", "rules")
-        ]
-        query = select(_grades.c.student, _grades.c.verdicts).where(
-            *same, _current.c.sheet == sheet
-        )
+        same = [_current.c[column.name] == column for column in _grades.primary_key]
+        query = select(_grades.c.student, _grades.c.verdicts)
+        query = query.where(*same, _current.c.sheet == sheet)
         with self.transaction() as connection:
             return {student: _verdicts(text) for student, text in connection.execute(query)}
 
 
 def _point_to(connection: Connection, key: GradeKey) -> None:
-    if connection.scalar(select(_current.c.student).where(*_same(_current, vars(key)))) is None:
-        connection.execute(
-            _current.delete().where(*_same(_current, {"student": key.student, "sheet": key.sheet}))
-        )
-        connection.execute(_current.insert().values(**vars(key)))
+    there = connection.scalar(select(_current.c.student).where(*_same(_current, vars(key))))
+    if there is not None:
+        return
+    other = _same(_current, {"student": key.student, "sheet": key.sheet})
+    connection.execute(_current.delete().where(*other))
+    connection.execute(_current.insert().values(**vars(key)))
 
 
 def _same(table: Table, key: Mapping[str, str]) -> list[ColumnElement[bool]]:
@@ -241,10 +239,10 @@ def _row(record: Record) -> dict[str, Any]:
     }
 
 
-def _record(row: dict[str, Any]) -> Record:
-    return Record(
-        **{**row, "numbers": json.loads(row["numbers"]), "answers": json.loads(row["answers"])}
-    )
+def _record(row: RowMapping) -> Record:
+    numbers = json.loads(row["numbers"])
+    answers = json.loads(row["answers"])
+    return Record(**{**row, "numbers": numbers, "answers": answers})
 
 
 def _verdicts(text: str) -> list[Verdict]:

@@ -1,15 +1,14 @@
-"""Marking a class: every submission on its own, every grade one transaction, nothing marked twice."""
+"""Marking a class: every submission on its own, every grade one transaction, nothing twice."""
 
 import logging
 import os
-from collections.abc import Callable, Generator, Iterator, Sequence
-from concurrent.futures import ThreadPoolExecutor, as_completed
+from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor, as_completed
 from contextlib import closing
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from importlib.metadata import version
-from typing import Any
 
-from ..exercises.exercise import Exercise, Manual
+from ..exercises.exercise import Exercise, Manual, Part
 from ..exercises.files.finding import exercise_files
 from ..grader.collecting.ask import Ask, Limits
 from ..grader.collecting.wire import Raw
@@ -17,39 +16,21 @@ from ..grader.marking.mark import mark
 from ..grader.marking.verdict import Verdict, not_graded
 from .config import Course, CourseError, Sheet, Student
 from .gradebook import Gradebook, GradeKey
+from .handed_out import HandedOut
 from .marks import with_marks
+from .results import Result, recorded_results
 from .rules import rules_hash
 from .sheet.submissions import Submission, find_submission, misnamed
-from .sheets import exercises_of
-from .variant import Record, canonical, digest, fingerprint, moved_parts
+from .sheets import asked_parts, exercises_of
+from .variant import Record, canonical, digest
 
+__all__ = ["Result", "SheetMarker", "recorded_results"]
 log = logging.getLogger(__name__)
 CHANGED = (
     "The reference answer of this part is no longer the one of the day the sheet was handed out; "
     "`kinegrade grade --accept-change` marks by the new one."
 )
-
-
-@dataclass(frozen=True)
-class Result:
-    """One student's sheet: verdicts in the order of the parts, or the reason why there are none."""
-
-    student: Student
-    sheet: str
-    verdicts: tuple[Verdict, ...] = ()
-    reason: str = ""
-
-    @property
-    def points(self) -> float | None:
-        """Points so far; None while any part waits for the instructor, or when nothing was handed in."""
-        if not self.verdicts or any(verdict.points is None for verdict in self.verdicts):
-            return None
-        return round(sum(verdict.points or 0.0 for verdict in self.verdicts), 2)
-
-    @property
-    def out_of(self) -> float:
-        """Points that could be had."""
-        return sum(verdict.out_of for verdict in self.verdicts)
+NO_SHEET = "no sheet was generated for this student; `kinegrade generate` adds it"
 
 
 @dataclass(frozen=True)
@@ -58,13 +39,17 @@ class _Work:
 
     student: Student
     submission: Submission
-    records: dict[str, Record]
+    records: Mapping[str, Record]
     moved: frozenset[str]
     key: GradeKey
 
 
 class SheetMarker:
-    """Marks the submissions of one sheet of a course."""
+    """Marks the submissions of one sheet of a course.
+
+    A submission is looked at (`_look`), its values are collected (`_collected`) and marked
+    (`_mark`), exercise by exercise; then its grade is saved.
+    """
 
     def __init__(
         self,
@@ -77,54 +62,36 @@ class SheetMarker:
     ) -> None:
         """Reads the exercises and the records.
 
-        With `accept_change`, moved references become the recorded ones; with `again`, marked files are marked anew.
+        With `accept_change`, moved references become the recorded ones; with `again`, marked files
+        are marked anew.
 
         Raises:
             CourseError: the sheet was handed out, but the gradebook knows nothing of it.
         """
-        self.course, self.gradebook, self.sheet, self.again = course, gradebook, sheet, again
-        self.exercises = exercises_of(course, sheet)
-        self._parts = {
-            part.variable: part for exercise in self.exercises for part in exercise.asked
-        }
-        self._marks = gradebook.marks(sheet.name)
+        self.course = course
+        self.gradebook = gradebook
+        self.sheet = sheet
+        self.again = again
         self.limits = Limits(**course.settings.limits.model_dump())
+        self.exercises = exercises_of(course, sheet)
+        self._parts = asked_parts(self.exercises)
+
         files = exercise_files(course.folder / "exercises")
         self._hashes = [rules_hash(files[slug]) for slug in sheet.exercises]
-        self._records: dict[str, dict[str, Record]] = {}
-        self._moved: dict[str, frozenset[str]] = {}
-        self._read_records(accept_change=accept_change)
-        if not self._records and any(course.folder.glob(f"released/*/{sheet.name}.ipynb")):
-            raise CourseError(
-                f"{course.folder / 'gradebook.sqlite'} knows nothing of sheet {sheet.name}, though it was released; "
-                "put the backup back, or run `kinegrade generate`, which draws the same numbers from the same secret"
-            )
+        self._marks = gradebook.marks(sheet.name)
+        self._handed_out = HandedOut(
+            gradebook, sheet.name, self.exercises, accept_change=accept_change
+        )
+        self._refuse_a_lost_gradebook()
 
-    def _read_records(self, *, accept_change: bool) -> None:
-        known = {exercise.slug: exercise for exercise in self.exercises}
-        for record in self.gradebook.records(self.sheet.name):
-            exercise = known.get(record.exercise)
-            if exercise is None:
-                continue
-            moved = _changed(record, exercise)
-            if moved and accept_change:
-                record, moved = self._accepted(record, exercise), []  # noqa: PLW2901 - the record as it now stands
-            self._records.setdefault(record.student, {})[record.exercise] = record
-            self._moved[record.student] = self._moved.get(record.student, frozenset()) | frozenset(
-                moved
-            )
-
-    def _accepted(self, record: Record, exercise: Exercise) -> Record:
-        """The record with the answers of today, here and in the gradebook."""
-        try:
-            answers = fingerprint(exercise, record.numbers)
-        except Exception as error:
+    def _refuse_a_lost_gradebook(self) -> None:
+        released = self.course.folder.glob(f"released/*/{self.sheet.name}.ipynb")
+        if self._handed_out.nothing and any(released):
             raise CourseError(
-                f"exercise {exercise.slug} cannot be accepted: it fails with {type(error).__name__}: {error} on the "
-                f"numbers of {record.student}, which were handed out before it changed"
-            ) from error
-        self.gradebook.accept_answers(record, answers)
-        return replace(record, answers=answers)
+                f"{self.course.folder / 'gradebook.sqlite'} knows nothing of sheet "
+                f"{self.sheet.name}, though it was released; put the backup back, or run "
+                "`kinegrade generate`, which draws the same numbers from the same secret"
+            )
 
     def results(self, step: Callable[[], None] = lambda: None) -> list[Result]:
         """A result for every student of the roster, in its order; `step` is called after each."""
@@ -137,6 +104,7 @@ class SheetMarker:
                 step()
             else:
                 todo.append(found)
+
         with closing(self._collected(todo)) as collected:  # also when Ctrl-C comes between two
             for work, raws in collected:
                 done[work.student.id] = self._mark(work, raws)
@@ -148,116 +116,106 @@ class SheetMarker:
         try:
             submission = find_submission(self.course.folder, student.id, self.sheet.name)
         except CourseError as error:
-            return Result(student, self.sheet.name, self._waiting(str(error)), reason=str(error))
+            return self._waits(student, str(error))
         if submission is None:
-            other = misnamed(
-                self.course.folder, student.id, [sheet.name for sheet in self.course.settings.sheet]
-            )
-            hint = (
-                f"; {other} is there, but the file takes the name {self.sheet.name}.ipynb"
-                if other
-                else ""
-            )
-            return Result(student, self.sheet.name, reason=f"no submission{hint}")
-        records = self._records.get(student.id, {})
+            return Result(student, self.sheet.name, reason=self._no_submission(student))
+
+        records = self._handed_out.records(student.id)
         if len(records) < len(self.exercises):
-            reason = "no sheet was generated for this student; `kinegrade generate` adds it"
-            return Result(student, self.sheet.name, self._waiting(reason), reason=reason)
-        moved = self._moved[student.id]
-        key = GradeKey(
-            student.id,
-            self.sheet.name,
-            digest(submission.data),
-            self._rules(records, moved, submission),
-        )
+            return self._waits(student, NO_SHEET)
+
+        moved = self._handed_out.moved(student.id)
+        rules = self._rules(records, moved, submission)
+        key = GradeKey(student.id, self.sheet.name, digest(submission.data), rules)
         verdicts = self.gradebook.verdicts(key)
-        if not self.again and verdicts is not None and not self._unfinished(verdicts):
-            self.gradebook.make_current(key)
-            return self._result(student, verdicts)
-        return _Work(student, submission, records, moved, key)
+        if self.again or verdicts is None or self._unfinished(verdicts):
+            return _Work(student, submission, records, moved, key)
+        self.gradebook.make_current(key)
+        return self._result(student, verdicts)
+
+    def _no_submission(self, student: Student) -> str:
+        names = [sheet.name for sheet in self.course.settings.sheet]
+        other = misnamed(self.course.folder, student.id, names)
+        if not other:
+            return "no submission"
+        takes = f"the file takes the name {self.sheet.name}.ipynb"
+        return f"no submission; {other} is there, but {takes}"
 
     def _rules(
-        self, records: dict[str, Record], moved: frozenset[str], submission: Submission
+        self, records: Mapping[str, Record], moved: frozenset[str], submission: Submission
     ) -> str:
         """A hash of all that a grade follows from besides the submission's bytes."""
-        drawn = [
-            [record.attempt, record.numbers, record.answers]
-            for _, record in sorted(records.items())
-        ]
-        kind = submission.path.suffix
-        parts = (
+        ordered = [records[slug] for slug in sorted(records)]
+        followed = (
             version("kinegrade"),
-            kind,
+            submission.path.suffix,
             self._hashes,
-            drawn,
+            [(record.attempt, record.numbers, record.answers) for record in ordered],
             sorted(moved),
             self.course.settings.limits.model_dump(),
         )
-        return digest(canonical(parts).encode())
+        return digest(canonical(followed).encode())
 
-    def _waiting(self, reason: str) -> tuple[Verdict, ...]:
-        return tuple(
-            not_graded(part.variable, part.points, reason) for part in self._parts.values()
-        )
+    def _unfinished(self, verdicts: Sequence[Verdict]) -> bool:
+        """Whether the grader left something open; what is marked by hand is not its business."""
+        for verdict in verdicts:
+            by_hand = isinstance(self._parts[verdict.part].answer, Manual)
+            if verdict.points is None and not by_hand:
+                return True
+        return False
 
     def _collected(
         self, todo: Sequence[_Work]
     ) -> Generator[tuple[_Work, dict[str, Raw] | Exception]]:
         """Raw values as they come in; notebooks run side by side, each in a process of its own."""
         with ThreadPoolExecutor(max_workers=os.cpu_count() or 1) as pool:
-            futures = {
-                pool.submit(work.submission.raws, self._asks(work), self.limits): work
-                for work in todo
-            }
+            futures: dict[Future[dict[str, Raw]], _Work] = {}
+            for work in todo:
+                future = pool.submit(work.submission.raws, self._asks(work), self.limits)
+                futures[future] = work
             try:
                 for future in as_completed(futures):
-                    error = future.exception()
-                    yield futures[future], future.result() if error is None else _plain(error)
+                    yield futures[future], _raws_or_error(future)
             finally:
-                pool.shutdown(
-                    cancel_futures=True
-                )  # stopped on the way, it does not run the rest of the class
+                # Stopped on the way, it does not run the rest of the class.
+                pool.shutdown(cancel_futures=True)
 
     def _asks(self, work: _Work) -> list[Ask]:
-        pairs = ((exercise, work.records[exercise.slug].numbers) for exercise in self.exercises)
-        return [ask for exercise, v in pairs for ask in work.submission.asks(exercise, v)]
+        asks: list[Ask] = []
+        for exercise in self.exercises:
+            asks += work.submission.asks(exercise, work.records[exercise.slug].numbers)
+        return asks
 
     def _mark(self, work: _Work, raws: dict[str, Raw] | Exception) -> Result:
+        """The grade of one submission, saved; where the grader fails, the submission waits."""
         try:
-            if isinstance(raws, Exception):
-                raise raws  # noqa: TRY301 - both ways of failing leave the same verdicts
-            verdicts = [
-                verdict
-                for exercise in self.exercises
-                for verdict in self._mark_exercise(exercise, work, raws)
-            ]
+            verdicts = self._verdicts(work, raws)
         except Exception as error:
             log.exception(
                 "%s, sheet %s: the submission could not be marked", work.student.id, self.sheet.name
             )
-            reason = f"the grader failed with {type(error).__name__}; the submission is kept and will be marked again"
-            verdicts = [*self._waiting(reason)]
+            verdicts = self._waiting(
+                f"the grader failed with {type(error).__name__}; "
+                "the submission is kept and will be marked again"
+            )
         self.gradebook.save_grade(work.key, verdicts)
         return self._result(work.student, verdicts)
 
-    def _unfinished(self, verdicts: Sequence[Verdict]) -> bool:
-        """Whether the grader left something open; what is marked by hand is not its business."""
-        return any(
-            v.points is None and not isinstance(self._parts[v.part].answer, Manual)
-            for v in verdicts
-        )
-
-    def _result(self, student: Student, verdicts: Sequence[Verdict]) -> Result:
-        return Result(
-            student, self.sheet.name, with_marks(verdicts, student.id, self._marks, self._parts)
-        )
+    def _verdicts(self, work: _Work, raws: dict[str, Raw] | Exception) -> Sequence[Verdict]:
+        if isinstance(raws, Exception):
+            raise raws
+        verdicts: list[Verdict] = []
+        for exercise in self.exercises:
+            verdicts += self._mark_exercise(exercise, work, raws)
+        return verdicts
 
     def _mark_exercise(
         self, exercise: Exercise, work: _Work, raws: dict[str, Raw]
     ) -> Iterator[Verdict]:
-        others = self._others(exercise, work.student)
+        numbers = work.records[exercise.slug].numbers
+        others = self._handed_out.answers_of_others(exercise, work.student.id)
         try:
-            verdicts = mark(exercise, work.records[exercise.slug].numbers, raws, others)
+            verdicts = mark(exercise, numbers, raws, others)
         except Exception as error:
             log.exception(
                 "%s, sheet %s: %s could not be marked",
@@ -265,43 +223,34 @@ class SheetMarker:
                 self.sheet.name,
                 exercise.slug,
             )
-            reason = (
-                f"exercise {exercise.slug} failed with {type(error).__name__}; your answer is kept"
-            )
-            verdicts = [not_graded(part.variable, part.points, reason) for part in exercise.asked]
+            why = f"exercise {exercise.slug} failed with {type(error).__name__}"
+            verdicts = _not_graded(exercise.asked, f"{why}; your answer is kept")
+
         for verdict in verdicts:
-            moved = verdict.part in work.moved
-            yield not_graded(verdict.part, verdict.out_of, CHANGED) if moved else verdict
+            if verdict.part in work.moved:
+                yield not_graded(verdict.part, verdict.out_of, CHANGED)
+            else:
+                yield verdict
 
-    def _others(self, exercise: Exercise, student: Student) -> dict[str, dict[str, Any]]:
-        return {
-            other: records[exercise.slug].answers
-            for other, records in self._records.items()
-            if other != student.id and exercise.slug in records
-        }
+    def _waits(self, student: Student, reason: str) -> Result:
+        return Result(student, self.sheet.name, self._waiting(reason), reason=reason)
 
+    def _waiting(self, reason: str) -> tuple[Verdict, ...]:
+        return tuple(_not_graded(self._parts.values(), reason))
 
-def _changed(record: Record, exercise: Exercise) -> list[str]:
-    try:
-        return moved_parts(record, exercise)
-    except Exception:  # an exercise edited since may need numbers that were never drawn
-        log.exception("exercise %s fails on the numbers of %s", exercise.slug, record.student)
-        return [part.variable for part in exercise.asked]
+    def _result(self, student: Student, verdicts: Sequence[Verdict]) -> Result:
+        marked = with_marks(verdicts, student.id, self._marks, self._parts)
+        return Result(student, self.sheet.name, marked)
 
 
-def _plain(error: BaseException) -> Exception:
-    return error if isinstance(error, Exception) else RuntimeError(repr(error))
+def _raws_or_error(future: Future[dict[str, Raw]]) -> dict[str, Raw] | Exception:
+    error = future.exception()
+    if error is None:
+        return future.result()
+    if isinstance(error, Exception):
+        return error
+    return RuntimeError(repr(error))  # what would end this process ended a thread only
 
 
-def recorded_results(course: Course, gradebook: Gradebook, sheet: Sheet) -> list[Result]:
-    """What the gradebook holds for every student of the roster, without looking at submissions."""
-    current, marks = gradebook.current(sheet.name), gradebook.marks(sheet.name)
-    parts = {
-        part.variable: part for exercise in exercises_of(course, sheet) for part in exercise.asked
-    }
-    return [
-        Result(student, sheet.name, with_marks(current[student.id], student.id, marks, parts))
-        if student.id in current
-        else Result(student, sheet.name, reason="nothing marked yet")
-        for student in course.students
-    ]
+def _not_graded(parts: Iterable[Part], reason: str) -> list[Verdict]:
+    return [not_graded(part.variable, part.points, reason) for part in parts]

@@ -12,20 +12,26 @@ OPEN, CLOSE = "\ue000", "\ue001"  # private characters around the number of a fo
 
 
 def markdown_html(text: str) -> str:
-    """HTML of Markdown with tables, lists and our own markup; what stands between dollar signs becomes MathML.
+    """HTML of Markdown with tables, lists and our own markup, and MathML of its formulas.
 
     The text is an exercise's or our own, never a student's: its markup is kept.
     """
     formulas: list[str] = []
 
     def taken(match: re.Match[str]) -> str:
-        shown = match[1] is not None
-        formulas.append(mathml(match[1] or match[2], display="block" if shown else "inline"))
+        """Keeps a formula out of the renderer's hands, which would see markup in it."""
+        if match[1] is not None:
+            formulas.append(mathml(match[1], display="block"))
+        else:
+            formulas.append(mathml(match[2], display="inline"))
         return f"{OPEN}{len(formulas) - 1}{CLOSE}"
 
-    pieces = [
-        piece if piece.startswith("`") else FORMULA.sub(taken, piece) for piece in CODE.split(text)
-    ]
+    pieces: list[str] = []
+    for piece in CODE.split(text):
+        if piece.startswith("`"):
+            pieces.append(piece)
+        else:
+            pieces.append(FORMULA.sub(taken, piece))
     html = _renderer().render("".join(pieces))
     return re.sub(f"{OPEN}([0-9]+){CLOSE}", lambda match: formulas[int(match[1])], html)
 

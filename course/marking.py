@@ -16,8 +16,11 @@ from .gradebook import Gradebook
 from .grading import Result, SheetMarker, recorded_results
 from .pages import write_feedback, write_report
 from .sheet.submissions import strangers
-from .sheets import exercises_of
+from .sheets import asked_parts, exercises_of
 from .tables import grades_csv, legend, terminal_table
+
+Marked = list[tuple[Sheet, list[Result]]]
+"""Sheets with the results of the roster."""
 
 
 def mark_sheets(
@@ -27,13 +30,14 @@ def mark_sheets(
     *,
     accept_change: bool = False,
     again: bool = False,
-) -> list[tuple[Sheet, list[Result]]]:
+) -> Marked:
     """Marks sheets with a progress bar and writes all that follows from the marks."""
-    for name in strangers(course.folder, {student.id for student in course.students}):
-        say(
-            f"{course.folder / 'submitted' / name} belongs to nobody of roster.csv and is not marked."
-        )
-    marked: list[tuple[Sheet, list[Result]]] = []
+    roster = {student.id for student in course.students}
+    for name in strangers(course.folder, roster):
+        folder = course.folder / "submitted" / name
+        say(f"{folder} belongs to nobody of roster.csv and is not marked.")
+
+    marked: Marked = []
     with progress("Marking", len(course.students) * len(sheets)) as step:
         for sheet in sheets:
             marker = SheetMarker(course, gradebook, sheet, accept_change=accept_change, again=again)
@@ -42,16 +46,14 @@ def mark_sheets(
     return marked
 
 
-def _with_recorded(
-    course: Course, gradebook: Gradebook, marked: list[tuple[Sheet, list[Result]]]
-) -> list[tuple[Sheet, list[Result]]]:
-    """Marked sheets, and what the gradebook has of the others: a report is about all of the course."""
+def _with_recorded(course: Course, gradebook: Gradebook, marked: Marked) -> Marked:
+    """Marked sheets and, as a report is about all of the course, what is recorded of the others."""
     fresh = {sheet.name: results for sheet, results in marked}
-    sheets = _reported(course)
-    return [
-        (sheet, fresh.get(sheet.name) or recorded_results(course, gradebook, sheet))
-        for sheet in sheets
-    ]
+    reported: Marked = []
+    for sheet in _reported(course):
+        results = fresh.get(sheet.name) or recorded_results(course, gradebook, sheet)
+        reported.append((sheet, results))
+    return reported
 
 
 def _reported(course: Course) -> list[Sheet]:
@@ -61,16 +63,19 @@ def _reported(course: Course) -> list[Sheet]:
         KinegradeError: none can be read.
     """
     errors: dict[str, KinegradeError] = {}
+    readable: list[Sheet] = []
     for sheet in course.settings.sheet:
         try:
             exercises_of(course, sheet)
         except KinegradeError as error:
             errors[sheet.name] = error
-    if errors and len(errors) == len(course.settings.sheet):
+        else:
+            readable.append(sheet)
+    if not readable:
         raise next(iter(errors.values()))
     for name, error in errors.items():
         say(f"Sheet {name} is left out of the report: {error}")
-    return [sheet for sheet in course.settings.sheet if sheet.name not in errors]
+    return readable
 
 
 def write_recorded(course: Course, gradebook: Gradebook) -> Path:
@@ -87,9 +92,11 @@ def write_results(course: Course, marked: Iterable[tuple[Sheet, Sequence[Result]
     pages: list[Any] = []
     for sheet, results in marked:
         exercises = exercises_of(course, sheet)
-        parts = [part.variable for exercise in exercises for part in exercise.asked]
-        name = "grades.csv" if len(course.settings.sheet) == 1 else f"grades-{sheet.name}.csv"
-        write_atomically(course.folder / name, grades_csv(results, parts))
+        name = "grades.csv"
+        if len(course.settings.sheet) > 1:
+            name = f"grades-{sheet.name}.csv"
+        table = grades_csv(results, list(asked_parts(exercises)))
+        write_atomically(course.folder / name, table)
         for result in results:
             if result.verdicts:
                 write_feedback(course, sheet, exercises, result)
@@ -99,9 +106,9 @@ def write_results(course: Course, marked: Iterable[tuple[Sheet, Sequence[Result]
 
 def show(course: Course, marked: Sequence[tuple[Sheet, Sequence[Result]]]) -> None:
     """The table of every sheet on stdout, and where to look on stderr."""
-    console = (
-        Console() if sys.stdout.isatty() else Console(width=140)
-    )  # a file has no width of its own
+    console = Console()
+    if not sys.stdout.isatty():
+        console = Console(width=140)  # a file has no width of its own
     for sheet, results in marked:
         console.print(Text(sheet.title or sheet.name, style="bold"))
         console.print(terminal_table(results, exercises_of(course, sheet)))

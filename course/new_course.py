@@ -1,4 +1,4 @@
-"""A new course folder: settings with comments, a roster to fill in, a secret, and what to keep out of a repository."""
+"""A new course folder: settings with comments, a roster to fill in, a secret, a .gitignore."""
 
 from importlib.resources import files
 from pathlib import Path
@@ -12,59 +12,57 @@ from .secret import FILE, write_secret
 
 ROSTER = "student,name\nstudent01,First Student\nstudent02,Second Student\n"
 PRIVATE = (
-    FILE,
-    "gradebook.sqlite*",
-    "released/",
-    "solutions/",
-    "submitted/",
-    "feedback/",
-    "report/",
-    "grades*.csv",
-)
-"""What a course repository does not hold: it would give away the secret, the answers or somebody's marks."""
+    FILE, "gradebook.sqlite*",
+    "released/", "solutions/", "submitted/", "feedback/", "report/", "grades*.csv",
+)  # fmt: skip
+"""What a course repository does not hold, as it would give away the secret, answers or marks."""
 
 
 def course_text(title: str) -> str:
     """A commented course.toml."""
-    template = (
-        files("kinegrade.course").joinpath("templates/course.toml").read_text(encoding="utf-8")
-    )
+    template = files("kinegrade.course").joinpath("templates/course.toml")
     known = "\n# ".join(wrap(", ".join(sorted(exercise_files())), 100))
-    return template.replace("@TITLE@", title).replace("@EXERCISES@", known)
+    text = template.read_text(encoding="utf-8")
+    return text.replace("@TITLE@", title).replace("@EXERCISES@", known)
 
 
 def write_course(folder: Path, title: str = "The robot Jacobian") -> list[Path]:
-    """Completes a new course folder and returns the files it wrote; none that is there is overwritten.
+    """Completes a new course folder; no file that is there is overwritten.
 
     In a course that was cloned and has handed out nothing, what is missing is the secret.
+
+    Returns:
+        The files that were written.
 
     Raises:
         CourseError: the folder already holds a course with its secret, or one whose secret is lost.
     """
     settings = folder / "course.toml"
+    roster = folder / "roster.csv"
     if settings.exists():
-        _refuse_what_is_complete(folder)
+        _refuse_what_is_complete(folder, settings)
+
     written: list[Path] = []
-    if not (folder / "roster.csv").exists():
-        written += _written(folder / "roster.csv", ROSTER)
+    if not roster.exists():
+        written += _written(roster, ROSTER)
     written += _ignore_file(folder / ".gitignore")
     secret = write_secret(folder)
-    written += [secret] if secret else []
+    if secret is not None:
+        written.append(secret)
     if not settings.exists():  # last: with it, the folder is a course
         written += _written(settings, course_text(title))
     return written
 
 
-def _refuse_what_is_complete(folder: Path) -> None:
-    settings = folder / "course.toml"
-    if (folder / FILE).exists() or read_settings(settings).secret:
+def _refuse_what_is_complete(folder: Path, settings: Path) -> None:
+    secret = folder / FILE
+    if secret.exists() or read_settings(settings).secret:
         raise CourseError(f"{settings} is already there; init never overwrites a course")
-    if (folder / "released").exists() or _has_records(
-        folder / "gradebook.sqlite", read_settings(settings)
-    ):
+    handed_out = (folder / "released").exists()
+    if handed_out or _has_records(folder / "gradebook.sqlite", read_settings(settings)):
         raise CourseError(
-            f"{settings} is already there and has handed out sheets, but {folder / FILE} is not there; put the backup "
-            "of the secret back, since from a new one follow other numbers"
+            f"{settings} is already there and has handed out sheets, but {secret} is not there; "
+            "put the backup of the secret back, since from a new one follow other numbers"
         )
 
 
@@ -87,11 +85,9 @@ def _ignore_file(path: Path) -> list[Path]:
     """Writes .gitignore; one that is there is left alone, and what it does not name is told."""
     if not path.exists():
         return _written(path, "\n".join(PRIVATE) + "\n")
-    lines = {
-        line.strip().strip("/")
-        for line in path.read_text(encoding="utf-8", errors="replace").splitlines()
-    }
-    missing = [name for name in PRIVATE if name.strip("/") not in lines]
+    text = path.read_text(encoding="utf-8", errors="replace")
+    named = {line.strip().strip("/") for line in text.splitlines()}
+    missing = [name for name in PRIVATE if name.strip("/") not in named]
     if missing:
         say(f"{path} was there and is left alone; it should also name: {' '.join(missing)}")
     return []

@@ -19,8 +19,8 @@ def write_exercise(name: str, folder: Path) -> Path:
     """
     if not SLUG.fullmatch(name):
         raise CourseError(
-            f"an exercise takes a name of small letters, digits and '_', which starts the names of its variables, "
-            f"such as tip_speed; got {name!r}"
+            "an exercise takes a name of small letters, digits and '_', "
+            f"which starts the names of its variables, such as tip_speed; got {name!r}"
         )
     path = folder / "exercises" / f"{name}.py"
     if path.exists():
@@ -29,8 +29,6 @@ def write_exercise(name: str, folder: Path) -> Path:
         raise CourseError(
             f"{name} is an exercise that comes with the package; another name keeps the two apart"
         )
-    template = (
-        files("kinegrade.course").joinpath("templates/exercise.txt").read_text(encoding="utf-8")
-    )
-    write_atomically(path, template.replace("@NAME@", name))
+    template = files("kinegrade.course").joinpath("templates/exercise.txt")
+    write_atomically(path, template.read_text(encoding="utf-8").replace("@NAME@", name))
     return path

@@ -12,14 +12,11 @@ from ..grader.marking import mark
 from .sheet import submissions
 
 ROOT = HOME.parent  # the four packages stand beside each other, in a checkout as in a wheel
-FOLLOWED = (
-    "solutions",
-    "exercises",
-    "grader",
-)  # but for submissions, course writes pages and files
-MARKING = tuple(
-    Path(file).resolve()
-    for file in (mark.__file__, submissions.__file__, collect.RUNNER)  # the runner is not imported
+FOLLOWED = ("solutions", "exercises", "grader")  # course writes pages and files, but for this:
+MARKING = (
+    Path(mark.__file__).resolve(),
+    Path(submissions.__file__).resolve(),
+    Path(collect.RUNNER).resolve(),  # started by path, never imported
 )
 IMPORT = re.compile(
     r"(?:^|[:;])[ \t]*"
@@ -30,20 +27,24 @@ WORD = re.compile(r"[\w.]+")
 
 
 def rules_hash(path: Path) -> str:
-    """A hash of an exercise file, the modules beside it, and all of ours that these or marking import.
+    """A hash of an exercise file, the modules beside it, and what these or marking import of ours.
 
     Raises:
         ExerciseError: a file of the exercise cannot be read.
     """
     source = read_source(path)
     # A course's file is loaded as one of the catalogue, so that a copy of ours keeps its imports.
-    package = _name(path.resolve().parent) if is_ours(path) else _name(HOME / "catalogue")
+    folder = HOME / "catalogue"
+    if is_ours(path):
+        folder = path.resolve().parent
     names = [_name(file) for file in MARKING]
     for text in (source.text, *source.beside.values()):
-        names += imports(text, package)
-    texts = sorted(_reached(names).items())
-    lines = [f"{name} {hashlib.sha256(text).hexdigest()}" for name, text in texts]
-    return hashlib.sha256("\n".join([source.hash, *lines]).encode()).hexdigest()
+        names += imports(text, _name(folder))
+
+    lines = [source.hash]
+    for name, text in sorted(_reached(names).items()):
+        lines.append(f"{name} {hashlib.sha256(text).hexdigest()}")
+    return hashlib.sha256("\n".join(lines).encode()).hexdigest()
 
 
 def _reached(names: Iterable[str]) -> dict[str, bytes]:
@@ -80,20 +81,26 @@ def imports(text: bytes, package: str) -> tuple[str, ...]:
     So there are more names than modules, such as those of functions; a test finds every import of
     ours among them.
     """
-    found: dict[str, None] = {}
-    for start, named, plain in IMPORT.findall(text.decode(errors="replace").replace("\\\n", " ")):
-        before = f"{start}." if start.strip(".") else start  # `from . import a` names .a
+    found: dict[str, None] = {}  # a set that keeps the order
+    joined = text.decode(errors="replace").replace("\\\n", " ")
+    for start, named, plain in IMPORT.findall(joined):
+        before = start
+        if start.strip("."):  # `from a import b` names a.b, but `from . import b` names .b
+            before = f"{start}."
         for name in WORD.findall(named or plain):
-            found |= dict.fromkeys(_on_the_way(_in_full(before + name, package)))
+            full = _in_full(before + name, package)
+            found |= dict.fromkeys(_on_the_way(full))
     return tuple(found)
 
 
 def _in_full(name: str, package: str) -> str:
     """A name that may begin with dots, which mean the package and those around it."""
     inner = name.lstrip(".")
-    outer = package.split(".")
     dots = len(name) - len(inner)
-    return ".".join([*outer[: len(outer) + 1 - dots], inner]) if dots else name
+    if not dots:
+        return name
+    outer = package.split(".")
+    return ".".join([*outer[: len(outer) + 1 - dots], inner])
 
 
 def _on_the_way(name: str) -> list[str]:

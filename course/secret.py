@@ -1,4 +1,4 @@
-"""The course's secret, from which all numbers follow: the file `secret`, or KINEGRADE_SECRET, which replaces it."""
+"""The course's secret, from which all numbers follow: the file `secret`, or KINEGRADE_SECRET."""
 
 import os
 import secrets
@@ -15,7 +15,9 @@ OTHERS = 0o077  # what a file allows those who do not own it
 
 
 def read_secret(course: Course) -> str:
-    """The secret, looked for only where numbers are to be drawn. An older course.toml may still hold it.
+    """The secret; an older course.toml may still hold it.
+
+    It is looked for only where numbers are to be drawn.
 
     Raises:
         CourseError: there is none, two differ, or it is too short; the sentence never repeats it.
@@ -23,30 +25,43 @@ def read_secret(course: Course) -> str:
     path = course.folder / FILE
     found = _from_environment(path) or _from_file(path)
     older = course.settings.secret
-    if found is None and older is None:
+    if older is not None:
+        return _with_older(course.folder, found, older)
+    if found is None:
         raise CourseError(
-            f"the course has no secret: {VARIABLE} is not set, and {path} is not there. All numbers follow from it, so "
-            "a new one means other numbers: put the backup back. Where nothing was handed out yet, "
-            f"`kinegrade init {course.folder}` writes one"
+            f"the course has no secret: {VARIABLE} is not set, and {path} is not there. "
+            "All numbers follow from it, so a new one means other numbers: put the backup back. "
+            f"Where nothing was handed out yet, `kinegrade init {course.folder}` writes one"
         )
-    if found is None and older is not None:
-        say(
-            f"{course.folder / 'course.toml'} holds the secret. Moved to the file {path}, without key and quotes, it "
-            "does the same, and course.toml can be shared."
-        )
-        return older
-    if older is not None and older != found:
-        where = VARIABLE if os.environ.get(VARIABLE, "").strip() else str(path)
-        raise CourseError(
-            f"{course.folder / 'course.toml'} and {where} hold different secrets; keep the one that the sheets were "
-            "drawn from, and take the other out"
-        )
-    assert found is not None  # noqa: S101 - what else there is was dealt with
     return found
 
 
+def _with_older(folder: Path, found: str | None, older: str) -> str:
+    """The secret of a course whose course.toml holds one."""
+    settings = folder / "course.toml"
+    path = folder / FILE
+    if found is None:
+        say(
+            f"{settings} holds the secret. Moved to the file {path}, without key and quotes, "
+            "it does the same, and course.toml can be shared."
+        )
+    elif found != older:
+        where = str(path)
+        if _variable():
+            where = VARIABLE
+        raise CourseError(
+            f"{settings} and {where} hold different secrets; keep the one that the sheets were "
+            "drawn from, and take the other out"
+        )
+    return older
+
+
 def write_secret(folder: Path) -> Path | None:
-    """Writes a new secret into a course folder that has none; its file, or None where there is one."""
+    """Writes a new secret into a course folder that has none.
+
+    Returns:
+        Its file, or None where there was one.
+    """
     path = folder / FILE
     if path.exists():
         return None
@@ -54,9 +69,13 @@ def write_secret(folder: Path) -> Path | None:
     return path
 
 
+def _variable() -> str:
+    """The variable's text; CI sets it to nothing where it was not given the secret."""
+    return os.environ.get(VARIABLE, "").strip()
+
+
 def _from_environment(path: Path) -> str | None:
-    """The variable; one that is set to nothing, as CI does for a secret it was not given, counts as not set."""
-    text = os.environ.get(VARIABLE, "").strip()
+    text = _variable()
     if not text:
         return None
     if path.is_file() and path.read_bytes().strip() != text.encode():
@@ -74,7 +93,8 @@ def _from_file(path: Path) -> str | None:
         raise CourseError(f"{path} cannot be read as UTF-8 text: {error}") from error
     if os.name == "posix" and mode & OTHERS:
         say(
-            f"{path} can be read by others on this machine; `chmod 600 {path}` keeps the secret to yourself."
+            f"{path} can be read by others on this machine; "
+            f"`chmod 600 {path}` keeps the secret to yourself."
         )
     return _long_enough(str(path), text)
 

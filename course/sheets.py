@@ -1,11 +1,13 @@
-"""Handing out: draw what is not drawn yet, write what is not written yet, never touch what is released."""
+"""Handing out: what is not drawn yet is drawn, what is released is never touched again."""
 
-from collections.abc import Callable, Mapping
+from collections import defaultdict
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
+from typing import Any
 
-from ..exercises.exercise import Exercise
+from ..exercises.exercise import Exercise, Part
 from ..exercises.files.finding import exercise_files, find
 from .check import read_handout
 from .config import Course, CourseError, Sheet, Student, hint
@@ -37,14 +39,28 @@ def exercises_of(course: Course, sheet: Sheet) -> list[Exercise]:
     own = course.folder / "exercises"
     files = exercise_files(own)
     exercises = [find(slug, files, own) for slug in sheet.exercises]
-    names = [part.variable for exercise in exercises for part in exercise.asked]
+    _refuse_equal_names(sheet, exercises)
+    _check_pins(sheet, {exercise.slug: exercise for exercise in exercises})
+    return exercises
+
+
+def asked_parts(exercises: Iterable[Exercise]) -> dict[str, Part]:
+    """All parts that the exercises ask for, by variable, in the order of the sheet."""
+    parts: dict[str, Part] = {}
+    for exercise in exercises:
+        parts |= {part.variable: part for part in exercise.asked}
+    return parts
+
+
+def _refuse_equal_names(sheet: Sheet, exercises: Iterable[Exercise]) -> None:
+    names: list[str] = []
+    for exercise in exercises:
+        names += [part.variable for part in exercise.asked]
     for name in names:
         if names.count(name) > 1:
             raise CourseError(
                 f"sheet {sheet.name}: {name} is asked twice; answers are collected by name"
             )
-    _check_pins(sheet, {exercise.slug: exercise for exercise in exercises})
-    return exercises
 
 
 def _check_pins(sheet: Sheet, exercises: Mapping[str, Exercise]) -> None:
@@ -52,14 +68,16 @@ def _check_pins(sheet: Sheet, exercises: Mapping[str, Exercise]) -> None:
     for slug, pins in sheet.pinned.items():
         if slug not in exercises:
             raise CourseError(
-                f"sheet {sheet.name} pins {slug!r}{hint(slug, exercises)}, which is not on the sheet"
+                f"sheet {sheet.name} pins {slug!r}{hint(slug, exercises)}, "
+                "which is not on the sheet"
             )
         structure = exercises[slug].structure
         for name in pins:
             if name not in structure:
+                choices = ", ".join(structure) or "none"
                 raise CourseError(
-                    f"sheet {sheet.name} pins {name!r} of {slug}{hint(name, structure)}; its choices of form are: "
-                    f"{', '.join(structure) or 'none'}"
+                    f"sheet {sheet.name} pins {name!r} of {slug}{hint(name, structure)}; "
+                    f"its choices of form are: {choices}"
                 )
 
 
@@ -77,15 +95,10 @@ def generate(
     secret = cache(lambda: read_secret(course))  # not asked for where all is drawn
     for sheet in sheets:
         exercises = exercises_of(course, sheet)
-        drawn = {
-            (record.student, record.exercise): record for record in gradebook.records(sheet.name)
-        }
-        taken: dict[str, set[str]] = {exercise.slug: set() for exercise in exercises}
-        for record in drawn.values():
-            taken.setdefault(record.exercise, set()).add(canonical(record.numbers))
+        draws = _Draws(secret, sheet, exercises, gradebook.records(sheet.name))
         for student in course.students:
-            fresh = _draw_missing(secret, sheet, student, exercises, drawn, taken)
-            records = [drawn[student.id, exercise.slug] for exercise in exercises]
+            fresh = draws.complete(student)
+            records = draws.of(student)
             if fresh:
                 _agree(_released(course, sheet, student), exercises, records)
                 gradebook.save_records(fresh)
@@ -94,48 +107,64 @@ def generate(
     return done
 
 
-def _draw_missing(
-    secret: Callable[[], str],
-    sheet: Sheet,
-    student: Student,
-    exercises: list[Exercise],
-    drawn: dict[tuple[str, str], Record],
-    taken: dict[str, set[str]],
-) -> list[Record]:
-    """What was not drawn for the student before, also put into `drawn` and into `taken`.
+class _Draws:
+    """What is drawn of one sheet, so that no two students get the same numbers."""
 
-    `taken` are the recorded numbers of each exercise as `canonical` text.
-    """
-    fresh: list[Record] = []
-    for exercise in exercises:
-        key = (student.id, exercise.slug)
-        if key in drawn:
-            continue
-        pinned = sheet.pinned.get(exercise.slug)
-        record = draw_record(
-            secret(), sheet.name, student.id, exercise, taken[exercise.slug], pinned
-        )
-        drawn[key] = record
-        taken[exercise.slug].add(canonical(record.numbers))
-        fresh.append(record)
-    return fresh
+    def __init__(
+        self,
+        secret: Callable[[], str],
+        sheet: Sheet,
+        exercises: Sequence[Exercise],
+        recorded: Iterable[Record],
+    ) -> None:
+        self._secret = secret
+        self._sheet = sheet
+        self._exercises = exercises
+        self._records: dict[tuple[str, str], Record] = {}
+        self._taken: defaultdict[str, set[str]] = defaultdict(set)  # numbers as `canonical` text
+        for record in recorded:
+            self._add(record)
+
+    def _add(self, record: Record) -> None:
+        self._records[record.student, record.exercise] = record
+        self._taken[record.exercise].add(canonical(record.numbers))
+
+    def of(self, student: Student) -> list[Record]:
+        """A student's records in the order of the exercises."""
+        return [self._records[student.id, exercise.slug] for exercise in self._exercises]
+
+    def complete(self, student: Student) -> list[Record]:
+        """Draws what was not drawn for the student before, and returns that."""
+        fresh: list[Record] = []
+        for exercise in self._exercises:
+            slug = exercise.slug
+            if (student.id, slug) in self._records:
+                continue
+            pinned = self._sheet.pinned.get(slug)
+            record = draw_record(
+                self._secret(), self._sheet.name, student.id, exercise, self._taken[slug], pinned
+            )
+            self._add(record)
+            fresh.append(record)
+        return fresh
 
 
 def _agree(path: Path, exercises: list[Exercise], records: list[Record]) -> None:
     """Refuses to record numbers for a notebook that was handed out with others."""
     if not path.exists():
         return
-    pairs = zip(exercises, records, strict=True)
+    drawn: dict[str, dict[str, Any]] = {}
+    for exercise, record in zip(exercises, records, strict=True):
+        drawn[exercise.slug] = printed(exercise, record.numbers)
     try:
-        same = read_handout(path).numbers == {
-            e.slug: printed(e, record.numbers) for e, record in pairs
-        }
+        same = read_handout(path).numbers == drawn
     except CourseError:
         same = False
     if not same:
         raise CourseError(
-            f"{path} was handed out with other exercises or numbers than would be drawn now, so nothing was recorded; "
-            "give new exercises a sheet of their own, or bring back the gradebook and the secret of that day"
+            f"{path} was handed out with other exercises or numbers than would be drawn now, "
+            "so nothing was recorded; give new exercises a sheet of their own, "
+            "or bring back the gradebook and the secret of that day"
         )
 
 
@@ -147,12 +176,15 @@ def _release(
     course: Course, sheet: Sheet, student: Student, exercises: list[Exercise], records: list[Record]
 ) -> Released:
     path = _released(course, sheet, student)
-    solution = course.folder / "solutions" / student.id / f"{sheet.name}.ipynb"
-    pairs = list(zip(exercises, (record.numbers for record in records), strict=True))
     new = not path.exists()
+    numbers = [record.numbers for record in records]
+    pairs = list(zip(exercises, numbers, strict=True))
+
     script = path.with_name(f"{sheet.name}.m")
     if sheet.matlab and not script.exists():
         write_atomically(script, starter(course.settings.title, sheet, student, pairs))
+
+    solution = course.folder / "solutions" / student.id / f"{sheet.name}.ipynb"
     if new or not solution.exists():
         handout, worked = notebooks(course.settings.title, sheet, student, pairs)
         write_atomically(solution, worked)

@@ -4,20 +4,20 @@ import csv
 import io
 import json
 from collections.abc import Sequence
+from typing import Any
 
 from rich.box import SIMPLE_HEAD
 from rich.table import Table
 from rich.text import Text
 
 from ..exercises.exercise import Exercise, Manual
-from ..grader.marking.verdict import STATUS_WORDS
+from ..grader.marking.verdict import STATUS_WORDS, Status
 from .console import say
 from .escape import no_formula, printable
 from .grading import Result
 from .marks import ByHand
 
-NEWLINE = "\n"  # behind it stands what was typed, with a caret
-MARKS = {
+MARKS: dict[Status, str] = {
     "correct": "✓",
     "follows": "✓",
     "partly": "◐",
@@ -29,53 +29,58 @@ MARKS = {
 
 
 def terminal_table(results: Sequence[Result], exercises: Sequence[Exercise]) -> Table:
-    """One line per student: a mark for every part of each exercise, points, and the first thing worth knowing."""
+    """A line per student: a mark for every part of each exercise, points, the first remark."""
+    longest = max((len(result.student.id) for result in results), default=7)
     table = Table(header_style="bold", pad_edge=False, box=SIMPLE_HEAD)
-    table.add_column(
-        "student",
-        no_wrap=True,
-        min_width=max((len(result.student.id) for result in results), default=7),
-    )
+    table.add_column("student", no_wrap=True, min_width=longest)
     for exercise in exercises:
         table.add_column(exercise.slug, no_wrap=True, min_width=len(exercise.slug))
     table.add_column("points", justify="right", no_wrap=True, min_width=10)
     table.add_column("first remark")
+
     for result in results:
-        marks = {verdict.part: MARKS[verdict.status] for verdict in result.verdicts}
-        shown = [
-            "".join(marks.get(part.variable, " ") for part in exercise.asked)
-            for exercise in exercises
-        ]
-        table.add_row(
-            result.student.id, *shown, result_text(result), Text(printable(remark(result)))
-        )
+        first = Text(printable(remark(result)))  # Text, as a string may hold markup of rich's
+        marks = [_marks(result, exercise) for exercise in exercises]
+        table.add_row(result.student.id, *marks, result_text(result), first)
     return table
+
+
+def _marks(result: Result, exercise: Exercise) -> str:
+    """One character for every part of an exercise."""
+    marks = {verdict.part: MARKS[verdict.status] for verdict in result.verdicts}
+    return "".join(marks.get(part.variable, " ") for part in exercise.asked)
 
 
 def show_by_hand(waiting: Sequence[ByHand]) -> None:
     """Answers that wait for a mark, one after the other, with what to mark them by."""
     for one in waiting:
         assert isinstance(one.part.answer, Manual)  # noqa: S101 - only such parts wait
-        answer = (
-            printable(one.answer)
-            if one.answer
-            else "(on paper)"
-            if one.part.answer.on_paper
-            else "(nothing)"
-        )
-        rubric = "\n".join(f"    {points:g}  {text}" for points, text in one.part.answer.rubric)
-        print(f"{one.student}  {one.part.variable}  {one.part.points:g} points\n  answer: {answer}")  # noqa: T201 - data of a command
-        print(f"  key:    {one.key}\n{rubric}\n")  # noqa: T201 - the same
-    say(
-        f"{len(waiting)} answers wait for a mark."
-        if len(waiting) != 1
-        else "One answer waits for a mark."
-    )
+        rubric = [f"    {points:g}  {text}" for points, text in one.part.answer.rubric]
+        lines = [
+            f"{one.student}  {one.part.variable}  {one.part.points:g} points",
+            f"  answer: {_shown_answer(one.answer, one.part.answer)}",
+            f"  key:    {one.key}",
+            "\n".join(rubric),
+            "",
+        ]
+        print("\n".join(lines))  # noqa: T201 - data of a command
+    if len(waiting) == 1:
+        say("One answer waits for a mark.")
+    else:
+        say(f"{len(waiting)} answers wait for a mark.")
+
+
+def _shown_answer(answer: str, asked: Manual) -> str:
+    if answer:
+        return printable(answer)
+    if asked.on_paper:
+        return "(on paper)"
+    return "(nothing)"
 
 
 def legend() -> str:
     """What the marks mean."""
-    return "   ".join(f"{mark} {STATUS_WORDS[status]}" for status, mark in MARKS.items())  # pyright: ignore[reportArgumentType]
+    return "   ".join(f"{mark} {STATUS_WORDS[status]}" for status, mark in MARKS.items())
 
 
 def result_text(result: Result) -> str:
@@ -85,17 +90,27 @@ def result_text(result: Result) -> str:
     if not result.verdicts:
         return "—"
     known = [verdict.points for verdict in result.verdicts if verdict.points is not None]
-    return f"{round(sum(known), 2):g} + ? / {result.out_of:g}" if known else "not graded"
+    if not known:
+        return "not graded"
+    return f"{round(sum(known), 2):g} + ? / {result.out_of:g}"
 
 
 def remark(result: Result, *, public: bool = False) -> str:
-    """The reason why nothing was marked, else the first finding; with `public`, one that the student sees too."""
+    """The reason why nothing was marked, else the first finding.
+
+    With `public`, the first one that the student sees too.
+    """
     if result.reason:
         return result.reason
-    for verdict in (verdict for verdict in result.verdicts if verdict.status != "correct"):
+    for verdict in result.verdicts:
+        if verdict.status == "correct":
+            continue
         for finding in verdict.findings:
-            if not (public and finding.private):
-                return f"{verdict.part}: {finding.text.partition(NEWLINE)[0]}"
+            if public and finding.private:
+                continue
+            # Behind the first line stands what was typed, with a caret.
+            sentence = finding.text.partition("\n")[0]
+            return f"{verdict.part}: {sentence}"
     return ""
 
 
@@ -105,40 +120,51 @@ def grades_csv(results: Sequence[Result], parts: Sequence[str]) -> str:
     writer = csv.writer(out, quoting=csv.QUOTE_ALL, lineterminator="\n")
     writer.writerow(["student", "name", "sheet", "status", "points", "out_of", *parts])
     for result in results:
-        points = {verdict.part: verdict.points for verdict in result.verdicts}
+        out_of = None
+        if result.verdicts:
+            out_of = result.out_of
+        earned = {verdict.part: verdict.points for verdict in result.verdicts}
         writer.writerow(
             [
                 result.student.id,
                 no_formula(result.student.name),
                 result.sheet,
                 status(result),
-                "" if result.points is None else f"{result.points:g}",
-                f"{result.out_of:g}" if result.verdicts else "",
-                *("" if points.get(part) is None else f"{points[part]:g}" for part in parts),
+                _number(result.points),
+                _number(out_of),
+                *[_number(earned.get(part)) for part in parts],
             ]
         )
     return out.getvalue()
+
+
+def _number(points: float | None) -> str:
+    if points is None:
+        return ""
+    return f"{points:g}"
 
 
 def status(result: Result) -> str:
     """graded, not_graded or no_submission."""
     if result.points is not None:
         return "graded"
-    return "not_graded" if result.verdicts else "no_submission"
+    if result.verdicts:
+        return "not_graded"
+    return "no_submission"
 
 
 def results_json(results: Sequence[Result]) -> str:
     """Everything a script would want."""
-    data = [
-        {
-            "student": result.student.id,
-            "sheet": result.sheet,
-            "status": status(result),
-            "points": result.points,
-            "out_of": result.out_of,
-            "reason": result.reason,
-            "parts": [verdict.to_json() for verdict in result.verdicts],
-        }
-        for result in results
-    ]
-    return json.dumps(data, indent=2)
+    return json.dumps([_result_json(result) for result in results], indent=2)
+
+
+def _result_json(result: Result) -> dict[str, Any]:
+    return {
+        "student": result.student.id,
+        "sheet": result.sheet,
+        "status": status(result),
+        "points": result.points,
+        "out_of": result.out_of,
+        "reason": result.reason,
+        "parts": [verdict.to_json() for verdict in result.verdicts],
+    }

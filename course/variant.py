@@ -1,4 +1,4 @@
-"""A student's personal numbers: drawn from the course secret, recorded with a fingerprint of the answers."""
+"""A student's personal numbers, drawn from the secret, and a fingerprint of their answers."""
 
 import hashlib
 import hmac
@@ -44,36 +44,46 @@ def draw_record(
     `taken` holds recorded numbers as `canonical` text.
 
     Raises:
-        ExerciseError: a thousand attempts drew nothing new, as the exercise has too few variants for the class; or none
-            had what is pinned; or what was drawn cannot be solved.
+        ExerciseError: a thousand attempts drew nothing new, as the exercise has too few variants
+            for the class; or none had what is pinned; or what was drawn cannot be solved.
     """
-    seen: dict[str, set[str]] = {}
+    pins = pinned or {}
+    seen: dict[str, set[str]] = {name: set() for name in pins}
     fitting = 0
     for attempt in range(ATTEMPTS):
         numbers = drawn(exercise, generator(secret, sheet, exercise.slug, student, attempt))
-        for name in pinned or {}:
-            seen.setdefault(name, set()).add(repr(numbers.get(name)))
-        if any(numbers.get(name) != value for name, value in (pinned or {}).items()):
+        for name in pins:
+            seen[name].add(repr(numbers.get(name)))
+        if not _fits(numbers, pins):
             continue
         fitting += 1
         if canonical(numbers) not in taken:
-            return Record(
-                student, sheet, exercise.slug, attempt, numbers, _solved(student, exercise, numbers)
-            )
-    if not fitting:
-        gave = "; ".join(f"{name} was {', '.join(sorted(values))}" for name, values in seen.items())
+            answers = _solved(student, exercise, numbers)
+            return Record(student, sheet, exercise.slug, attempt, numbers, answers)
+
+    if fitting:
         raise ExerciseError(
-            f"sheet {sheet}: {ATTEMPTS} draws of {exercise.slug} never gave what is pinned: {gave}"
+            f"exercise {exercise.slug}: {ATTEMPTS} draws gave no new numbers; draw from a wider set"
         )
+    gave = [f"{name} was {', '.join(sorted(values))}" for name, values in seen.items()]
     raise ExerciseError(
-        f"exercise {exercise.slug}: {ATTEMPTS} draws gave no new numbers; draw from a wider set"
+        f"sheet {sheet}: {ATTEMPTS} draws of {exercise.slug} never gave what is pinned: "
+        f"{'; '.join(gave)}"
     )
 
 
+def _fits(numbers: Mapping[str, Any], pins: Mapping[str, Any]) -> bool:
+    return all(numbers.get(name) == value for name, value in pins.items())
+
+
 def generator(secret: str, *where: str | int) -> np.random.Generator:
-    """A generator seeded by HMAC-SHA256 of sheet, exercise, student and attempt under the course secret."""
-    digest = hmac.digest(secret.encode(), "\0".join(map(str, where)).encode(), "sha256")
-    return np.random.Generator(np.random.PCG64(int.from_bytes(digest, "big")))
+    """A generator seeded by HMAC-SHA256 under the course secret.
+
+    `where` is what it is for: sheet, exercise, student and attempt.
+    """
+    place = "\0".join(map(str, where))
+    seed = hmac.digest(secret.encode(), place.encode(), "sha256")
+    return np.random.Generator(np.random.PCG64(int.from_bytes(seed, "big")))
 
 
 def canonical(numbers: Any) -> str:
@@ -88,53 +98,61 @@ def _solved(student: str, exercise: Exercise, numbers: dict[str, Any]) -> dict[s
         raise
     except Exception as error:
         raise ExerciseError(
-            f"exercise {exercise.slug} cannot be solved for {student}: it stopped with {stopped(error)}; "
+            f"exercise {exercise.slug} cannot be solved for {student}: "
+            f"it stopped with {stopped(error)}; "
             f"`kinegrade validate {exercise.slug}` looks at more draws"
         ) from error
 
 
 def fingerprint(exercise: Exercise, numbers: dict[str, Any]) -> dict[str, Any]:
-    """Every reference answer as numbers, rounded to 1e-9: it moves when a file, a row or a library changes one."""
+    """Every reference answer that can be pictured as numbers, rounded to 1e-9.
+
+    It moves when a file, a row of a robot or a library changes an answer.
+    """
     answers = references(exercise, numbers)
-    pictures = {
-        part.variable: _picture(part, answers[part.variable], numbers) for part in exercise.parts
-    }
-    return {name: picture for name, picture in pictures.items() if picture is not None}
+    pictures: dict[str, Any] = {}
+    for part in exercise.parts:
+        picture = _picture(part, answers[part.variable], numbers)
+        if picture is not None:
+            pictures[part.variable] = picture
+    return pictures
 
 
 def _picture(part: Part, answer: Any, numbers: dict[str, Any]) -> Any:
     picture = part.answer.pictured(answer, numbers)
-    return (
-        None if picture is None else (np.round(picture, 9) + 0.0).tolist()
-    )  # no minus zero in the record
+    if picture is None:
+        return None
+    rounded = np.round(picture, 9) + 0.0  # no minus zero in the record
+    return rounded.tolist()
 
 
 def moved_parts(record: Record, exercise: Exercise) -> list[str]:
-    """Parts whose reference is no longer what was recorded when the sheet was handed out, or cannot be pictured."""
+    """Parts whose reference is no longer what was recorded at the hand-out, or not to be pictured.
+
+    Raises:
+        Exception: of any kind, where the exercise fails on the recorded numbers.
+    """
     answers = references(exercise, record.numbers)
     moved = sorted(set(record.answers) - set(answers))
     for part in exercise.parts:
+        name = part.variable
         try:
-            now = _picture(part, answers[part.variable], record.numbers)
-        except (
-            Exception
-        ):  # the inputs of a function may fail in any way; the other parts are marked all the same
-            log.exception("%s cannot be compared with what was recorded", part.variable)
-            moved.append(part.variable)
+            now = _picture(part, answers[name], record.numbers)
+        except Exception:
+            # The inputs of a function may fail in any way; the other parts are marked all the same.
+            log.exception("%s cannot be compared with what was recorded", name)
+            moved.append(name)
             continue
-        if not _same(now, record.answers.get(part.variable)):
-            moved.append(part.variable)
+        if not _same(now, record.answers.get(name)):
+            moved.append(name)
     return moved
 
 
 def _same(now: Any, recorded: Any) -> bool:
     if now is None or recorded is None:
         return now is None and recorded is None
-    return _close(now, recorded)
-
-
-def _close(a: Any, b: Any) -> bool:
-    first, second = np.asarray(a, dtype=float), np.asarray(b, dtype=float)
+    first = np.asarray(now, dtype=float)
+    second = np.asarray(recorded, dtype=float)
     return first.shape == second.shape and bool(np.allclose(first, second, rtol=0, atol=1e-8))
 
 

@@ -300,7 +300,7 @@ def test_parts_whose_reference_moved_wait_until_the_change_is_accepted(folder):
 
 def test_parts_wait_that_moved_though_no_exercise_was_edited(folder, monkeypatch):
     before = graded(folder)
-    monkeypatch.setattr(grading, "moved_parts", lambda *_: ["lever_J"])
+    monkeypatch.setattr("kinegrade.course.handed_out.moved_parts", lambda *_: ["lever_J"])
     assert statuses(graded(folder)["ada"]) == ["correct", "not_graded"]
     monkeypatch.undo()
     assert graded(folder) == before

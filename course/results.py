@@ -1,0 +1,48 @@
+"""What a student got for a sheet, whether it was marked just now or stands in the gradebook."""
+
+from dataclasses import dataclass
+
+from ..grader.marking.verdict import Verdict
+from .config import Course, Sheet, Student
+from .gradebook import Gradebook
+from .marks import with_marks
+from .sheets import asked_parts, exercises_of
+
+
+@dataclass(frozen=True)
+class Result:
+    """One student's sheet: verdicts in the order of the parts, or why there are none."""
+
+    student: Student
+    sheet: str
+    verdicts: tuple[Verdict, ...] = ()
+    reason: str = ""
+
+    @property
+    def points(self) -> float | None:
+        """Points so far; None while a part waits for the instructor, or where nothing came in."""
+        known = [verdict.points for verdict in self.verdicts if verdict.points is not None]
+        if not known or len(known) < len(self.verdicts):
+            return None
+        return round(sum(known), 2)
+
+    @property
+    def out_of(self) -> float:
+        """Points that could be had."""
+        return sum(verdict.out_of for verdict in self.verdicts)
+
+
+def recorded_results(course: Course, gradebook: Gradebook, sheet: Sheet) -> list[Result]:
+    """What the gradebook holds for every student of the roster; no submission is looked at."""
+    current = gradebook.current(sheet.name)
+    marks = gradebook.marks(sheet.name)
+    parts = asked_parts(exercises_of(course, sheet))
+
+    results: list[Result] = []
+    for student in course.students:
+        if student.id not in current:
+            results.append(Result(student, sheet.name, reason="nothing marked yet"))
+            continue
+        verdicts = with_marks(current[student.id], student.id, marks, parts)
+        results.append(Result(student, sheet.name, verdicts))
+    return results
