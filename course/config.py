@@ -57,6 +57,14 @@ class LimitsTable(_Strict):
     memory_mb: Annotated[int, Field(ge=256)] = 2048
 
 
+class MarkingTable(_Strict):
+    """What a mistake that has a name costs of its part: once, whatever the number of entries."""
+
+    slip: Annotated[float, Field(ge=0, le=1)] = 0.25
+    presentation: Annotated[float, Field(ge=0, le=1)] = 0.25
+    concept: Annotated[float, Field(ge=0, le=1)] = 0.5
+
+
 class Settings(_Strict):
     """All of course.toml."""
 
@@ -65,6 +73,7 @@ class Settings(_Strict):
     secret: Annotated[str, Field(min_length=16)] | None = None
     sheet: Annotated[tuple[Sheet, ...], Field(min_length=1)]
     limits: LimitsTable = LimitsTable()
+    marking: MarkingTable = MarkingTable()
 
 
 @dataclass(frozen=True)
@@ -189,7 +198,11 @@ def _shown(where: tuple[Any, ...], value: Any) -> str:
 
 def _valid_keys(tables: Sequence[Any]) -> list[str]:
     """The keys of a table of course.toml; the outermost has no name."""
-    known: dict[str, type[BaseModel]] = {"sheet": Sheet, "limits": LimitsTable}
+    known: dict[str, type[BaseModel]] = {
+        "sheet": Sheet,
+        "limits": LimitsTable,
+        "marking": MarkingTable,
+    }
     table: type[BaseModel] = Settings
     if tables:
         table = known.get(str(tables[0]), Settings)

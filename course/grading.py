@@ -12,7 +12,9 @@ from ..exercises.exercise import Exercise, Manual, Part
 from ..exercises.files.finding import exercise_files
 from ..grader.collecting.ask import Ask, Limits
 from ..grader.collecting.wire import Raw
+from ..grader.marking.follow import Peers
 from ..grader.marking.mark import mark
+from ..grader.marking.price import Bill, Price
 from ..grader.marking.verdict import Verdict, not_graded
 from .config import Course, CourseError, Sheet, Student
 from .gradebook import Gradebook, GradeKey
@@ -20,6 +22,7 @@ from .handed_out import HandedOut
 from .marks import with_marks
 from .results import Result, recorded_results
 from .rules import rules_hash
+from .same_numbers import marked_for_it, same_numbers
 from .sheet.submissions import Submission, find_submission, misnamed
 from .sheets import asked_parts, exercises_of
 from .variant import Record, canonical, digest
@@ -31,6 +34,10 @@ CHANGED = (
     "`kinegrade grade --accept-change` marks by the new one."
 )
 NO_SHEET = "no sheet was generated for this student; `kinegrade generate` adds it"
+
+
+_Raws = dict[str, Raw] | Exception
+"""What came out of a submission by variable, or why nothing did."""
 
 
 @dataclass(frozen=True)
@@ -73,6 +80,7 @@ class SheetMarker:
         self.sheet = sheet
         self.again = again
         self.limits = Limits(**course.settings.limits.model_dump())
+        self._price = Price(**course.settings.marking.model_dump())
         self.exercises = exercises_of(course, sheet)
         self._parts = asked_parts(self.exercises)
 
@@ -105,14 +113,51 @@ class SheetMarker:
             else:
                 todo.append(found)
 
+        came_in: dict[str, _Raws] = {}
         with closing(self._collected(todo)) as collected:  # also when Ctrl-C comes between two
             for work, raws in collected:
                 done[work.student.id] = self._mark(work, raws)
+                came_in[work.student.id] = raws
                 step()
+        self._look_at_same_numbers(done, came_in)
         return [done[student.id] for student in self.course.students]
+
+    def _look_at_same_numbers(self, done: dict[str, Result], came_in: Mapping[str, _Raws]) -> None:
+        """Marks those again who have the same wrong numbers, now that all answers are there.
+
+        Also those who had them when they were marked, and no longer have.
+        """
+        marked = {student: result.verdicts for student, result in done.items()}
+        shared = same_numbers(self._parts, marked)
+        todo: list[_Work] = []
+        for student in self.course.students:
+            known = marked_for_it(marked[student.id])
+            work = self._work(student) if (student.id in shared) != known else None
+            if not isinstance(work, _Work):
+                continue
+            if student.id in came_in:
+                peers = shared.get(student.id, {})
+                done[student.id] = self._mark(work, came_in[student.id], peers)
+            else:
+                todo.append(work)
+        with closing(self._collected(todo)) as collected:
+            for work, raws in collected:
+                peers = shared.get(work.student.id, {})
+                done[work.student.id] = self._mark(work, raws, peers)
 
     def _look(self, student: Student) -> Result | _Work:
         """The grade that is there already, the reason why there can be none, or the work to do."""
+        work = self._work(student)
+        if isinstance(work, Result):
+            return work
+        verdicts = self.gradebook.verdicts(work.key)
+        if self.again or verdicts is None or self._unfinished(verdicts):
+            return work
+        self.gradebook.make_current(work.key)
+        return self._result(student, verdicts)
+
+    def _work(self, student: Student) -> Result | _Work:
+        """What marking the student's submission takes, or the reason why it cannot be marked."""
         try:
             submission = find_submission(self.course.folder, student.id, self.sheet.name)
         except CourseError as error:
@@ -127,11 +172,7 @@ class SheetMarker:
         moved = self._handed_out.moved(student.id)
         rules = self._rules(records, moved, submission)
         key = GradeKey(student.id, self.sheet.name, digest(submission.data), rules)
-        verdicts = self.gradebook.verdicts(key)
-        if self.again or verdicts is None or self._unfinished(verdicts):
-            return _Work(student, submission, records, moved, key)
-        self.gradebook.make_current(key)
-        return self._result(student, verdicts)
+        return _Work(student, submission, records, moved, key)
 
     def _no_submission(self, student: Student) -> str:
         names = [sheet.name for sheet in self.course.settings.sheet]
@@ -153,6 +194,7 @@ class SheetMarker:
             [(record.attempt, record.numbers, record.answers) for record in ordered],
             sorted(moved),
             self.course.settings.limits.model_dump(),
+            self.course.settings.marking.model_dump(),
         )
         return digest(canonical(followed).encode())
 
@@ -164,9 +206,7 @@ class SheetMarker:
                 return True
         return False
 
-    def _collected(
-        self, todo: Sequence[_Work]
-    ) -> Generator[tuple[_Work, dict[str, Raw] | Exception]]:
+    def _collected(self, todo: Sequence[_Work]) -> Generator[tuple[_Work, _Raws]]:
         """Raw values as they come in; notebooks run side by side, each in a process of its own."""
         with ThreadPoolExecutor(max_workers=os.cpu_count() or 1) as pool:
             futures: dict[Future[dict[str, Raw]], _Work] = {}
@@ -186,10 +226,10 @@ class SheetMarker:
             asks += work.submission.asks(exercise, work.records[exercise.slug].numbers)
         return asks
 
-    def _mark(self, work: _Work, raws: dict[str, Raw] | Exception) -> Result:
+    def _mark(self, work: _Work, raws: _Raws, peers: Peers | None = None) -> Result:
         """The grade of one submission, saved; where the grader fails, the submission waits."""
         try:
-            verdicts = self._verdicts(work, raws)
+            verdicts = self._verdicts(work, raws, peers or {})
         except Exception as error:
             log.exception(
                 "%s, sheet %s: the submission could not be marked", work.student.id, self.sheet.name
@@ -201,21 +241,27 @@ class SheetMarker:
         self.gradebook.save_grade(work.key, verdicts)
         return self._result(work.student, verdicts)
 
-    def _verdicts(self, work: _Work, raws: dict[str, Raw] | Exception) -> Sequence[Verdict]:
+    def _verdicts(self, work: _Work, raws: _Raws, peers: Peers) -> Sequence[Verdict]:
         if isinstance(raws, Exception):
             raise raws
+        bill = Bill(self._price)
         verdicts: list[Verdict] = []
         for exercise in self.exercises:
-            verdicts += self._mark_exercise(exercise, work, raws)
+            verdicts += self._mark_exercise(exercise, work, raws, peers, bill)
         return verdicts
 
     def _mark_exercise(
-        self, exercise: Exercise, work: _Work, raws: dict[str, Raw]
+        self,
+        exercise: Exercise,
+        work: _Work,
+        raws: dict[str, Raw],
+        peers: Peers,
+        bill: Bill,
     ) -> Iterator[Verdict]:
         numbers = work.records[exercise.slug].numbers
         others = self._handed_out.answers_of_others(exercise, work.student.id)
         try:
-            verdicts = mark(exercise, numbers, raws, others)
+            verdicts = mark(exercise, numbers, raws, others, peers=peers, bill=bill)
         except Exception as error:
             log.exception(
                 "%s, sheet %s: %s could not be marked",

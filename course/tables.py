@@ -19,7 +19,7 @@ from .marks import ByHand
 
 MARKS: dict[Status, str] = {
     "correct": "✓",
-    "follows": "✓",
+    "follows": "↪",
     "partly": "◐",
     "incorrect": "✗",
     "missing": "–",

@@ -236,10 +236,10 @@ def test_a_failure_of_the_grader_leaves_a_submission_waiting_and_is_made_up_for(
 ):
     right, real = answers(folder, "ben"), grading.mark
 
-    def failing(exercise, v, raws, others):
+    def failing(exercise, v, raws, others, **more):
         if np.allclose(raws["lever_p"].value, right["lever_p"]):
             raise KeyError("ours")
-        return real(exercise, v, raws, others)
+        return real(exercise, v, raws, others, **more)
 
     monkeypatch.setattr(grading, "mark", failing)
     found = graded(folder)
@@ -275,7 +275,9 @@ def test_a_failure_in_one_exercise_leaves_the_others_marked(tmp_path, monkeypatc
     hand_in(course, "ada", right_answers(course, "ada"))
     real = grading.mark
     monkeypatch.setattr(
-        grading, "mark", lambda e, *rest: 1 / 0 if e.slug == "stick" else real(e, *rest)
+        grading,
+        "mark",
+        lambda e, *rest, **more: 1 / 0 if e.slug == "stick" else real(e, *rest, **more),
     )
     result = graded(tmp_path)["ada"]
     assert statuses(result) == ["correct", "correct", "not_graded", "not_graded"]
@@ -330,7 +332,9 @@ def test_a_change_in_a_module_beside_the_exercise_makes_its_marks_stale(folder, 
     )
     before = graded(folder)
     real, marked = grading.mark, []
-    monkeypatch.setattr(grading, "mark", lambda e, *rest: marked.append(e.slug) or real(e, *rest))
+    monkeypatch.setattr(
+        grading, "mark", lambda e, *rest, **more: marked.append(e.slug) or real(e, *rest, **more)
+    )
     assert graded(folder) == before
     assert marked == []
     (folder / "exercises" / "arms.py").write_text("share = 0.5 + 0.5\n", encoding="utf-8")
@@ -347,7 +351,9 @@ def test_a_change_in_what_marking_imports_makes_marks_stale(folder, monkeypatch)
     edit(folder, "import numpy", "import arms\nimport numpy")
     before = graded(folder)
     real, marked = grading.mark, []
-    monkeypatch.setattr(grading, "mark", lambda e, *rest: marked.append(e.slug) or real(e, *rest))
+    monkeypatch.setattr(
+        grading, "mark", lambda e, *rest, **more: marked.append(e.slug) or real(e, *rest, **more)
+    )
     read = Path.read_bytes
     for name, times in (("lines.py", 3), ("compare.py", 6), ("maps.py", 6)):
         monkeypatch.setattr(
@@ -384,6 +390,32 @@ def test_somebody_elses_answers_are_named_to_the_instructor_only(folder, monkeyp
     assert len(told) == 2
     assert all(finding.private for finding in told)
     assert result.points == 0
+
+
+SAME = {"lever_p": [3.21, -7.65], "lever_v": [1.23, 4.56]}
+
+
+def shared_by(result):
+    private = [f.text for v in result.verdicts for f in v.findings if f.private]
+    return {text.split()[0] for text in private if "handed in the same numbers" in text}
+
+
+@pytest.mark.parametrize("first", ["ada", "ben"])
+def test_the_same_wrong_numbers_are_told_on_both_sides_whoever_came_first(
+    folder, monkeypatch, first
+):
+    monkeypatch.setattr("kinegrade.grader.marking.follow.TELLING", 1)  # a lever has few numbers
+    monkeypatch.setattr("kinegrade.grader.marking.sharing.TELLING", 1)
+    monkeypatch.setattr("kinegrade.course.same_numbers.TELLING", 1)
+    (second,) = {"ada", "ben"} - {first}
+    put(folder, first, SAME)
+    assert shared_by(graded(folder)[first]) == set()
+    put(folder, second, SAME)
+    found = graded(folder)
+    assert (shared_by(found[first]), shared_by(found[second])) == ({second}, {first})
+    assert graded(folder) == found  # and nothing is done twice
+    put(folder, second, {"lever_p": [1.0, 2.0]})
+    assert shared_by(graded(folder)[first]) == set()
 
 
 def test_nobody_copies_from_oneself(folder):
@@ -450,7 +482,7 @@ def test_marked_files_are_marked_anew_only_when_asked(folder, monkeypatch):
     put(folder, "ada", answers(folder, "ada"))
     graded(folder)
     seen = []
-    monkeypatch.setattr("kinegrade.course.grading.mark", lambda *_: seen.append(1) or [])
+    monkeypatch.setattr("kinegrade.course.grading.mark", lambda *_, **__: seen.append(1) or [])
     graded(folder)
     assert seen == []
     course = read_course(folder)

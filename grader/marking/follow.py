@@ -15,6 +15,7 @@ Peers = Mapping[str, Mapping[str, Any]]
 """Student to what that student handed in for the same exercise, as nested lists."""
 SAME = 2e-3  # two answers this close in every entry were not computed from different numbers
 TELLING = 5  # different numbers that tell whose an answer is: many share a joint axis
+HANDED_IN_TOO = "handed in the same numbers."
 NEAR = 0.01  # of a number: as near as rounded numbers are to each other
 RELATED = 0.25  # of an answer's numbers: by chance fewer are among those of the reference
 MOST_ZEROS = 0.25

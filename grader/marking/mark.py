@@ -15,7 +15,16 @@ from ..kinds.markers import marker_of, read
 from ..reading.unreadable import UNANSWERED, Unreadable
 from .answer_key import AnswerKey
 from .findings import named
-from .follow import Others, Peers, is_trivial, is_unrelated, owner_of, shared_with, zeros_pass
+from .follow import (
+    HANDED_IN_TOO,
+    Others,
+    Peers,
+    is_trivial,
+    is_unrelated,
+    owner_of,
+    shared_with,
+    zeros_pass,
+)
 from .judge import judged
 from .price import Bill
 from .verdict import Finding, Status, Verdict, not_graded
@@ -130,7 +139,7 @@ def _mark_readable(sheet: _Sheet, part: Part, answer: Any) -> Verdict:
     peer = shared_with(part, answer, sheet.key.reference[part.variable], sheet.peers)
     if peer:
         sheet.unfollowed[part.variable] = SHARED
-        return _with_finding(verdict, f"{peer} handed in the same numbers.", private=True)
+        return _with_finding(verdict, f"{peer} {HANDED_IN_TOO}", private=True)
     return verdict
 
 
