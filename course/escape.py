@@ -1,7 +1,7 @@
 """Text from others, made harmless for where it goes: a terminal, a spreadsheet, Markdown."""
 
 MARKUP = "*_`<>[]\\$&#|~"
-FORMULA_STARTS = "=+-@\t\r＝＋－＠"
+FORMULA_STARTS = tuple("=+-@\t\r＝＋－＠")
 
 
 def printable(text: str) -> str:
@@ -17,9 +17,13 @@ def _printable(char: str) -> str:
 
 def no_formula(text: str) -> str:
     """Text with an apostrophe before what a spreadsheet would run as a formula."""
-    if text[:1] in FORMULA_STARTS:
-        return f"'{text}"
-    return text
+    return f"'{text}" if text.startswith(FORMULA_STARTS) else text
+
+
+def with_formula(text: str) -> str:
+    """The text that `no_formula` was given."""
+    kept = text.removeprefix("'")
+    return kept if kept.startswith(FORMULA_STARTS) else text
 
 
 def no_markup(text: str) -> str:

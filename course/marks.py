@@ -11,7 +11,7 @@ from ..exercises.exercise import Part
 from ..grader.marking.verdict import Finding, Status, Verdict
 from .by_hand import ByHand, answer_id, by_hand, the_one
 from .config import CourseError
-from .escape import no_formula
+from .escape import no_formula, with_formula
 from .files import write_atomically
 from .gradebook import Gradebook, Mark
 
@@ -175,13 +175,14 @@ def _rows(path: Path) -> Iterator[tuple[int, dict[str, str]]]:
     if heading.count(";") > heading.count(","):  # as spreadsheets write where commas are decimal
         separator = ";"
     reader = csv.DictReader(io.StringIO(text, newline=""), delimiter=separator)
-    columns = reader.fieldnames or ()
-    for name in NEEDED:
-        if name not in columns:
-            raise CourseError(
-                f"{path}: the column {name!r} is missing; `kinegrade marks write` has all columns"
-            )
     try:
+        columns = reader.fieldnames or ()
+        for name in NEEDED:
+            if name not in columns:
+                raise CourseError(
+                    f"{path}: the column {name!r} is missing; `kinegrade marks write` has all "
+                    "columns"
+                )
         for row in reader:
             yield reader.line_num, {name: row.get(name) or "" for name in (*NEEDED, "comment")}
     except csv.Error as error:
@@ -194,7 +195,7 @@ def _read_mark(found: Sequence[ByHand], row: Mapping[str, str]) -> Mark:
         raise CourseError(
             f"{one.student}, {one.part.variable}: the answer changed since this file was written"
         )
-    comment = " ".join(row["comment"].split())
+    comment = with_formula(" ".join(row["comment"].split()))
     return one.new_mark(_points(row["points"].strip()), comment)
 
 

@@ -219,3 +219,28 @@ def test_marking_by_hand_touches_no_submission(course, kinegrade):
     points_of(course, kinegrade)
     assert files_of(course.folder / "submitted") == before
     assert [student for student, _ in CLASS] == ["ada", "ben", "cyd"]
+
+
+@pytest.mark.parametrize("comment", ["", "= is missing in line 2", "'quoted'", "-1 for the sign"])
+def test_a_comment_comes_back_as_it_went_out(course, kinegrade, tmp_path, comment):
+    path, again = tmp_path / "marks.csv", tmp_path / "again.csv"
+    kinegrade("marks", "write", path, "--course", course.folder)
+    rows = [*csv.DictReader(path.read_text(encoding="utf-8").splitlines())]
+    assert {row["comment"] for row in rows} == {""}
+    for row in rows:
+        row |= {"points": "1", "comment": comment}
+    write(path, rows)
+    for file in (again, tmp_path / "third.csv"):
+        kinegrade("marks", "read", path, "--course", course.folder)
+        kinegrade("marks", "write", file, "--course", course.folder)
+        path = file
+    told = [*csv.DictReader(path.read_text(encoding="utf-8").splitlines())]
+    assert {row["comment"].removeprefix("'") for row in told} == {comment.removeprefix("'")}
+    assert all(row["comment"].count("'") <= comment.count("'") + 1 for row in told)
+
+
+def test_a_heading_that_is_too_long_for_a_cell_is_no_fault_of_ours(course, kinegrade, tmp_path):
+    path = tmp_path / "marks.csv"
+    path.write_text("x" * 200_000 + ",points\n", encoding="utf-8")
+    ran = kinegrade("marks", "read", path, "--course", course.folder)
+    assert (ran.code, "not a CSV file" in ran.err) == (1, True)
