@@ -1,4 +1,4 @@
-"""Students of a class who handed in the same wrong numbers: whose marks have to be looked at again."""
+"""Students of a class who handed in the same wrong numbers: their marks are looked at again."""
 
 from collections.abc import Iterable, Mapping
 from typing import Any

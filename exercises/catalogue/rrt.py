@@ -47,8 +47,8 @@ $\mathbf q$.
 Use the **standard** Denavit–Hartenberg convention: $\mathbf z_{i-1}$ along the axis of joint $i$ in
 its positive sense, joint $i$ between frames $i-1$ and $i$. Place the frames so that
 $\theta_1 = q_1$, $\theta_2 = q_2$ and $\theta_3 = 0$, without joint offsets, and so that frame 3 is
-the tool frame that is drawn. With that the table is unique. Another table of the same arm, with base
-frame, tool frame, positive senses and home pose as drawn, is right, too."""
+the tool frame that is drawn. With that the table is unique. Another table of the same arm, with
+base frame, tool frame, positive senses and home pose as drawn, is right, too."""
 
 LINKS = "These lead from each frame to the next; all three shall start at the fixed frame."
 HOME_POSE = (

@@ -1,1 +1,1 @@
-"""From readable answers to verdicts: tolerance, findings, what follows from a student's own answers."""
+"""From readable answers to verdicts: tolerance, names, what follows from own answers."""

@@ -1,4 +1,4 @@
-"""What one variant's answers are compared with: reference, tolerance and the entries that carry points, made once."""
+"""What one variant's answers are compared with: reference, tolerance, entries that carry points."""
 
 import json
 from dataclasses import replace
@@ -40,7 +40,7 @@ def _plain(value: Any) -> Any:
 
 
 class AnswerKey:
-    """The key of one exercise for one variant; what costs time is computed when it is asked for, and kept."""
+    """The key of one exercise for one variant; what costs time is computed when asked for, and kept."""
 
     def __init__(self, exercise: Exercise, v: Variant) -> None:
         """Solves all parts. Raises ExerciseError where the exercise breaks its own declaration."""
@@ -79,7 +79,7 @@ class AnswerKey:
         return found
 
     def misread(self, part: Part, wanted: Wanted) -> list[tuple[Named, Wanted]]:
-        """What comes out where printed numbers are taken otherwise, from the same earlier answers."""
+        """What comes out where printed numbers are taken otherwise, from the same answers."""
         if wanted is not self._wanted.get(part.variable):
             return self._misreadings(part, wanted)
         if part.variable not in self._misread:
@@ -103,7 +103,7 @@ class AnswerKey:
 
     @cached_property
     def in_degrees(self) -> dict[str, Any]:
-        """Answers of somebody who takes every printed angle for degrees; empty where nothing follows from such."""
+        """Answers of somebody who takes every printed angle for degrees; empty where none follow."""
         converted = dict(self.v)
         for name, unit in self.exercise.units.items():
             units = np.array(unit)
@@ -127,8 +127,9 @@ class AnswerKey:
     def earning(self, part: Part) -> Mask:
         """Entries of numbers, tables and formulas that carry points.
 
-        They vary between students and are none of -1, 0, 1 for this one: a Jacobian is full of structural zeros and
-        ones, so that a matrix of zeros agrees with many of its entries. A formula is told by its names.
+        They vary between students and are none of -1, 0, 1 for this one: a Jacobian is full of
+        structural zeros and ones, so that a matrix of zeros agrees with many of its entries. A
+        formula is told by its names.
         """
         if part.variable not in self._earning:
             self._earning[part.variable] = self._earning_entries(part)

@@ -46,7 +46,7 @@ def fraction(right: Mask, earning: Mask, credit: Credit) -> float:
 
 
 def _whole(columns: Mask, credit: Credit) -> Mask:
-    """Where credit is for columns or blocks, entries whose whole column or block is right; else all."""
+    """Where credit is for columns or blocks, entries of those that are right; else all."""
     if credit == "column":
         return np.broadcast_to(columns.all(axis=-2, keepdims=True), columns.shape)
     whole = np.ones_like(columns)

@@ -1,4 +1,4 @@
-"""When may an answer be judged from own earlier answers? Not from copied, made-up or easier data."""
+"""When may an answer be judged from own earlier ones? Not from copied, made-up, easier data."""
 
 from collections.abc import Mapping
 from typing import Any, cast
@@ -22,7 +22,10 @@ MOST_ZEROS = 0.25
 
 
 def is_trivial(reference: Any, own: Any) -> bool:
-    """Whether own numbers or formulas are easier than the reference: less than half as many, or half the rank."""
+    """Whether own numbers or formulas are easier than the reference.
+
+    That is less than half as many different ones, or half the rank or less.
+    """
     if isinstance(own, ExpressionArray):
         values = sample(sorted(own.names | reference.names), 1)
         own, reference = (
@@ -46,7 +49,7 @@ def zeros_pass(
 
 
 def owner_of(part: Part, answer: Any, others: Others) -> str:
-    """The student whose variant an answer of numbers is right for; empty when there is none, or it cannot tell."""
+    """The student whose variant an answer is right for; empty when none, or it cannot tell."""
     if not isinstance(part.answer, Numbers) or different_numbers(answer) < TELLING:
         return ""
     for student, answers in others.items():

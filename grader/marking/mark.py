@@ -1,4 +1,4 @@
-"""One exercise of one student: right, right from the student's own answers, or wrong with a name."""
+"""One exercise of one student: right, right from own answers, or wrong with a name."""
 
 import logging
 from collections.abc import Mapping
@@ -148,7 +148,7 @@ def _with_finding(verdict: Verdict, text: str, *, private: bool = False) -> Verd
 
 
 def _by_hand(part: Part, raw: Raw, v: Variant) -> Verdict:
-    """What waits for the marker, with the text to be marked; nothing in the file is worth nothing, unless on paper."""
+    """What waits for the marker, with the text; nothing is worth nothing, unless it is on paper."""
     assert isinstance(part.answer, Manual)  # noqa: S101 - asked by the caller
     if part.answer.on_paper:
         return not_graded(part.variable, part.points, BY_HAND)

@@ -1,7 +1,7 @@
 """Printed numbers that were taken otherwise: one sign, one forgotten, two exchanged.
 
-What comes out is computed with the part's own function, so that it is known for every exercise. The answers
-of one variant are computed once, when the first wrong answer without another name is met.
+What comes out is computed with the part's own function, so that it is known for every exercise. The
+answers of one variant are computed once, when the first wrong answer without another name is met.
 """
 
 from collections.abc import Iterator, Mapping

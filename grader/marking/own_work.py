@@ -1,4 +1,4 @@
-"""What can be said of answers without the key: readable, of the asked shape, and fitting each other."""
+"""What can be said of answers without the key: readable, of the asked shape, fitting each other."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -26,9 +26,10 @@ class Remark:
 def remarks(
     exercise: Exercise, v: Variant, raws: Mapping[str, Raw], *, consistency: bool
 ) -> Iterator[Remark]:
-    """A remark on every asked part; with `consistency`, also whether it follows from the student's earlier answers.
+    """A remark on every asked part; with `consistency`, also whether it follows from earlier ones.
 
-    The latter checks the student's J against the student's own T (S0, eq. 4.11) and uses no reference answer.
+    The latter checks the student's J against the student's own T (S0, eq. 4.11) and uses no
+    reference answer.
     """
     key = AnswerKey(exercise, v)
     answers: dict[str, Any] = {}

@@ -1,4 +1,4 @@
-"""What a named mistake costs: once, in the part where it happens, whatever the number of entries."""
+"""What a named mistake costs: once, where it happens, whatever the number of entries."""
 
 from dataclasses import dataclass, field
 
@@ -30,7 +30,7 @@ PRICE = Price()
 
 @dataclass(frozen=True)
 class Bill:
-    """What one student has been charged for: each mistake once a sheet, wherever it is met again."""
+    """What one student has been charged for: each mistake once a sheet."""
 
     price: Price = PRICE
     charged: dict[str, str] = field(default_factory=dict[str, str])

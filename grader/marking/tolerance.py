@@ -13,10 +13,11 @@ FLOOR = 1e-9
 def tolerance(
     exercise: Exercise, part: Part, v: Variant, given: Given, reference: NDArray[np.float64]
 ) -> NDArray[np.float64]:
-    """Allowed absolute error of every entry of numbers, in the entry's own unit; `reference` follows from `given`.
+    """Allowed absolute error of every entry of numbers, in the entry's own unit.
 
-    The worst change of the answer over 64 roundings of what the part needs, times 1.5, plus a unit of the last asked
-    decimal, so that cutting off is as good as rounding; at least 1e-9 of the block's scale, at most 0.02 of it.
+    The worst change of the answer over 64 roundings of what the part needs, times 1.5, plus a unit
+    of the last asked decimal, so that cutting off is as good as rounding; at least 1e-9 of the
+    block's scale, at most 0.02 of it. `reference` follows from `given`.
     """
     answer = part.answer
     if not isinstance(answer, Numbers):
@@ -27,7 +28,7 @@ def tolerance(
         return np.full(reference.shape, part.tolerance)
     block = block_scale(answer, reference, exercise.scale(v))
     unit = 10.0**-answer.decimals
-    # A value cut off at the asked decimals is off by a unit and a rounding error of binary fractions.
+    # A value cut off at the asked decimals is off by a unit and an error of binary fractions.
     return np.clip(
         1.5 * _spread(exercise, part, v, given, reference) + 1.001 * unit,
         FLOOR * block,
@@ -55,7 +56,7 @@ def _spread(
 
 
 def _roundings(exercise: Exercise, part: Part, given: Given) -> dict[str, float]:
-    """Half a unit of the last decimal to which each needed array is handed in, or this part, whichever is coarser."""
+    """Half a unit of the last decimal of each needed array, or of this part where it has fewer."""
     assert isinstance(part.answer, Numbers)  # noqa: S101 - a tolerance is for numbers
     own = part.answer.decimals
     asked = {
@@ -70,7 +71,7 @@ def _roundings(exercise: Exercise, part: Part, given: Given) -> dict[str, float]
 def block_scale(
     answer: Numbers, reference: NDArray[np.float64], length: float
 ) -> NDArray[np.float64]:
-    """What an entry is large or small against: a length [m] in linear rows, 1 in angular ones, else its block."""
+    """What an entry is large against: a length [m] in linear rows, 1 in angular ones, else its block."""
     units = answer.unit_of_entries()
     block = np.ones(reference.shape)
     for unit in np.unique(units):

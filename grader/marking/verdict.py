@@ -4,7 +4,8 @@ from dataclasses import asdict, dataclass
 from typing import Any, Literal
 
 Status = Literal["correct", "follows", "partly", "incorrect", "missing", "failed", "not_graded"]
-"""`failed` is the submission's own fault, with the reason; `not_graded` is ours or unfinished, and never a zero."""
+"""`follows` is right from own wrong answers; `failed` is the submission's own fault, with the reason;
+`not_graded` is ours or unfinished, and never a zero."""
 STATUS_WORDS: dict[Status, str] = {
     "correct": "correct",
     "follows": "right from your own answers",
@@ -28,7 +29,8 @@ class Finding:
 class Verdict:
     """The judgement of one part: points, which entries are right, and what was found.
 
-    `points` is None exactly when nothing was judged. `right` and `answer` are nested lists of the answer's shape.
+    `points` is None exactly when nothing was judged. `right` and `answer` are nested lists of the
+    answer's shape.
     """
 
     part: str
