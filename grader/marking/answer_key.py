@@ -40,7 +40,7 @@ def _plain(value: Any) -> Any:
 
 
 class AnswerKey:
-    """The key of one exercise for one variant; what costs time is computed when asked for, and kept."""
+    """The key of one exercise for one variant; what costs time is computed when asked for."""
 
     def __init__(self, exercise: Exercise, v: Variant) -> None:
         """Solves all parts. Raises ExerciseError where the exercise breaks its own declaration."""
@@ -103,7 +103,7 @@ class AnswerKey:
 
     @cached_property
     def in_degrees(self) -> dict[str, Any]:
-        """Answers of somebody who takes every printed angle for degrees; empty where none follow."""
+        """Answers of somebody who takes every printed angle for degrees; empty if none follow."""
         converted = dict(self.v)
         for name, unit in self.exercise.units.items():
             units = np.array(unit)

@@ -4,7 +4,7 @@ from dataclasses import asdict, dataclass
 from typing import Any, Literal
 
 Status = Literal["correct", "follows", "partly", "incorrect", "missing", "failed", "not_graded"]
-"""`follows` is right from own wrong answers; `failed` is the submission's own fault, with the reason;
+"""`follows` is right from own wrong answers; `failed` is the submission's own fault, with a reason;
 `not_graded` is ours or unfinished, and never a zero."""
 STATUS_WORDS: dict[Status, str] = {
     "correct": "correct",
