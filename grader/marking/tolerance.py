@@ -71,7 +71,7 @@ def _roundings(exercise: Exercise, part: Part, given: Given) -> dict[str, float]
 def block_scale(
     answer: Numbers, reference: NDArray[np.float64], length: float
 ) -> NDArray[np.float64]:
-    """What an entry is large against: a length [m] in linear rows, 1 in angular ones, or its block."""
+    """What an entry is large against: a length [m] in linear rows, 1 in angular ones, its block."""
     units = answer.unit_of_entries()
     block = np.ones(reference.shape)
     for unit in np.unique(units):
