@@ -78,7 +78,7 @@ def from_one(value):
         ([], "num", []),
         (None, "missing", None),
         ("x" * 20_001, "error", "too long: a text of 20001 characters; 20000 can be read here"),
-        (["x" * 401], "error", "too long: a text of 401 characters; 400 can be read here"),
+        (["x" * 20_001], "error", "too long: a text of 20001 characters; 20000 can be read here"),
         (["x"] * 65, "error", "too long: a list of 65 entries; an answer may have 64"),
         ([[["x"]]], "error", "not a matrix: its text is nested too deeply"),
         ([0] * 4097, "error", "too large: it has more than 4096 entries"),

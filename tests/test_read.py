@@ -49,7 +49,7 @@ def test_complex_numbers_are_refused():
         (Raw("error", "cell 4 stopped with NameError: q"), "cell 4 stopped"),
         (Raw("text", "x"), "got text: x"),
         (Raw("text", [["a" * 500]]), "takes shape (2, 2), got (1, 1)"),
-        (Raw("text", [["1", "2"], ["3", "a" * 500]]), "row 2, column 2: a formula takes up to 400"),
+        (Raw("text", [["1", "2"], ["3", "a" * 500]]), "row 2, column 2: a name takes up to 400"),
     ],
 )
 def test_other_values_are_refused_with_what_they_are(given, words):

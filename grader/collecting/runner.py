@@ -26,8 +26,8 @@ import warnings
 # As in wire.py and ask.py:
 MAX_ELEMENTS = 4096
 MAX_ROWS = 64
-MAX_TEXT = 400
-MAX_ANSWER = 20_000
+MAX_SAID = 400
+MAX_TEXT = 20_000
 MAX_CALLS = 200
 # Of this file alone:
 MAX_OUTPUT = 1 << 16
@@ -239,22 +239,22 @@ def holds_text(value, depth=3):
 def text_of(value):
     """Nested text as data; an error where it is too long."""
     try:
-        return {"k": "text", "v": plain_text(value, MAX_ANSWER)}
+        return {"k": "text", "v": plain_text(value)}
     except TooLong as error:
         return failed(str(error))
 
 
-def plain_text(value, most, depth=2):
+def plain_text(value, depth=2):
     """Nested lists of strings; what is left of a formula that was cut off could be another one."""
     if isinstance(value, (list, tuple)) and depth:
         if len(value) > MAX_ROWS:
             entries = f"a list of {len(value)} entries"
             raise TooLong(f"too long: {entries}; an answer may have {MAX_ROWS}")
-        return [plain_text(item, MAX_TEXT, depth - 1) for item in value]
+        return [plain_text(item, depth - 1) for item in value]
 
     text = entry(value)
-    if len(text) > most:
-        raise TooLong(f"too long: a text of {len(text)} characters; {most} can be read here")
+    if len(text) > MAX_TEXT:
+        raise TooLong(f"too long: a text of {len(text)} characters; {MAX_TEXT} can be read here")
     return text
 
 
@@ -392,9 +392,9 @@ class Functions:
         if isinstance(error, CellTimeout):
             self.slow.add(name)
         if error:
-            return failed(f"call {number} {stopped(error, seconds)}"[:MAX_TEXT])
+            return failed(f"call {number} {stopped(error, seconds)}"[:MAX_SAID])
         if result["k"] == "error":
-            return failed(f"call {number}: {result['v']}"[:MAX_TEXT])
+            return failed(f"call {number}: {result['v']}"[:MAX_SAID])
         if result["k"] == "missing":
             return failed(f"call {number} returned ...")
         return result
@@ -498,7 +498,7 @@ class Failures:
         touched = assigned_names(source)
         for name in self.names:
             if name in touched:
-                self.by_name[name] = said[:MAX_TEXT]
+                self.by_name[name] = said[:MAX_SAID]
 
     def forget(self, source):
         """Drops the errors of what a cell has now set."""

@@ -8,7 +8,7 @@ import numpy as np
 from ...exercises.answers import Conditions, Variant
 from ...exercises.kinds.formulas import names_on_sheet
 from ...solutions.condition import Condition, condition_text, equations_of
-from ...solutions.expression import ExpressionError
+from ...solutions.expression import Expression, ExpressionError
 from ..collecting.wire import Raw
 from ..reading.arrays import flat_texts
 from ..reading.typed_equations import typed_equations
@@ -18,6 +18,7 @@ from .zero_sets import judge_conditions
 
 MOST_CONDITIONS = 32
 MOST_EQUATIONS = 64  # in all conditions
+MOST_NODES = 16_000  # numbers, names and signs in all conditions
 
 
 def read_conditions(answer: Conditions, raw: Raw, v: Variant) -> tuple[Condition, ...]:
@@ -41,10 +42,23 @@ def read_conditions(answer: Conditions, raw: Raw, v: Variant) -> tuple[Condition
 
     if not 1 <= len(found) <= MOST_CONDITIONS:
         raise Unreadable(f"takes 1 to {MOST_CONDITIONS} conditions, got {len(found)}")
-    count = sum(len(equations_of(condition)) for condition in found)
-    if count > MOST_EQUATIONS:
-        raise Unreadable(f"takes up to {MOST_EQUATIONS} equations in all conditions, got {count}")
+    _refuse_too_many(found)
     return tuple(found)
+
+
+def _refuse_too_many(conditions: Sequence[Condition]) -> None:
+    equations: list[Expression] = []
+    for condition in conditions:
+        equations += equations_of(condition)
+    if len(equations) > MOST_EQUATIONS:
+        raise Unreadable(
+            f"takes up to {MOST_EQUATIONS} equations in all conditions, got {len(equations)}"
+        )
+    nodes = sum(len(equation.nodes) for equation in equations)
+    if nodes > MOST_NODES:
+        raise Unreadable(
+            f"takes up to {MOST_NODES} numbers, names and signs in all conditions, got {nodes}"
+        )
 
 
 def _typed(text: str, names: Sequence[str]) -> list[Condition]:

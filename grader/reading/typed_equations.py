@@ -17,7 +17,6 @@ from .variants import is_free, plus_minus, variants
 
 EQUATIONS = 64
 TOGETHER = 8  # equations that hold at once
-LENGTH = 2000
 EQUATION = TYPED | frozenset("=±;&\n")
 LISTED = {"or": ";", "and": "&"}
 EITHER = "beside 'and' a comma between equations may be an 'or' or an 'and': write the word"
@@ -35,7 +34,7 @@ def typed_equations(text: str, names: Collection[str]) -> list[Condition]:
         ExpressionError: it is none of it or may be two things, with the place in the text.
     """
     with refusing(text, "a condition"):
-        tokens = [_listing(token, names) for token in tokens_of(text, EQUATION, LENGTH)]
+        tokens = [_listing(token, names) for token in tokens_of(text, EQUATION)]
         paired(tokens)
         tokens = without_bars(joined_lines(tokens))
         _refuse_decimal_commas(tokens)

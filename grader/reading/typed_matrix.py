@@ -4,13 +4,12 @@ from collections.abc import Collection, Iterator, Sequence
 from itertools import pairwise
 
 from ...solutions.expression import Expression
-from ...solutions.tokens import LENGTH, ExpressionError, Token, paired, refusing, split, tokens_of
+from ...solutions.tokens import ExpressionError, Token, paired, refusing, split, tokens_of
 from .bars import without_bars
 from .shorthands import MODULES, WORDS
 from .typed import TYPED, typed_tokens
 
 ENTRIES = 4096
-MATRIX_LENGTH = 20_000
 MATRIX = TYPED | frozenset("[];\n")
 WRAPPERS = {  # what a flat list is in them; numpy's matrix makes a row of it, MuPAD's a column
     "Matrix": "column", "MutableDenseMatrix": "column",
@@ -37,7 +36,7 @@ def typed_matrix(text: str, names: Collection[str]) -> list[list[Expression]]:
             or there are more than 4096 entries; with the place in the text.
     """
     with refusing(text, "a matrix"):
-        tokens = tokens_of(text, MATRIX, MATRIX_LENGTH)
+        tokens = tokens_of(text, MATRIX)
         paired(tokens)
         wrapper, tokens = _unwrapped(without_bars(joined_lines(tokens)), names)
         if tokens[0].text != "[":
@@ -231,14 +230,9 @@ def entry_of(tokens: Sequence[Token], names: Collection[str], what: str = "an en
     """Expression of the tokens of one entry; `what` they are is named in errors.
 
     Raises:
-        ExpressionError: it is missing, too long or no formula; the error does not have the text.
+        ExpressionError: it is missing or no formula; the error does not have the text.
     """
     start = tokens[0].offset
     if tokens[0].kind == "end":
         raise ExpressionError(f"{what} is missing", start)
-    length = tokens[-1].offset - start
-    if length > LENGTH:
-        raise ExpressionError(
-            f"{what} takes up to {LENGTH} characters, got {length}", start + LENGTH
-        )
     return typed_tokens(tokens, names)
