@@ -20,12 +20,22 @@ GREEK = {
 SIGNS = {
     "−": "-", "–": "-",
     "×": "*", "·": "*", "⋅": "*", "∙": "*", "∗": "*", "÷": "/", "**": "^",
-    "==": "=", "&&": "&", "∧": "&",
+    "==": "=", "&&": "&", "∧": "&", "º": "°", "˚": "°",
 }  # fmt: skip
+# What is copied along from web pages and is not seen: zero-width spaces and joiners, marks of the
+# direction of writing, the sign between a function and its argument, soft hyphens.
+UNSEEN = dict.fromkeys(
+    [
+        *(0xAD, 0x2060, 0x2061, 0xFEFF),
+        *range(0x200B, 0x2010),
+        *range(0x202A, 0x202D),
+        *range(0x2066, 0x206A),
+    ]
+)
 SUBSCRIPTS = "₀₁₂₃₄₅₆₇₈₉"
 SUPERSCRIPTS = "⁰¹²³⁴⁵⁶⁷⁸⁹"
 DIGITS = dict(zip(SUBSCRIPTS + SUPERSCRIPTS, "0123456789" * 2, strict=True))
-TRANSLATED = str.maketrans({**GREEK, **DIGITS, "{": None, "}": None})
+TRANSLATED = str.maketrans({**GREEK, **DIGITS, "{": None, "}": None, "\\": None})
 FORMULA = frozenset("-+*/^(),")
 PAIRS = {"(": ")", "[": "]"}
 CLOSING = frozenset(PAIRS.values())
@@ -34,7 +44,7 @@ LETTER = f"A-Za-z_{''.join(GREEK)}"
 WORD = rf"[{LETTER}][{LETTER}0-9{SUBSCRIPTS}]*(?:(?<=_)\{{[0-9]+\}})?"  # s_{12}, too
 TOKEN = re.compile(
     rf"(?P<number>(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)"
-    rf"|(?P<name>{WORD}(?:\.{WORD})*)"
+    rf"|(?P<name>\\?{WORD}(?:\.{WORD})*)"  # \theta_1 of LaTeX, too
     rf"|(?P<power>⁻?[{SUPERSCRIPTS}]+)"
     r"|(?P<line>\n)"
     r"|(?P<space>[^\S\n]+)"
@@ -79,17 +89,23 @@ class Token(NamedTuple):
 
 @contextmanager
 def refusing(text: object, what: str = "a formula") -> Generator[str]:
-    """The typed text, which an ExpressionError raised inside takes along.
+    """The typed text as it is seen, which an ExpressionError raised inside takes along.
 
     Raises ExpressionError where it is no text.
     """
     if not isinstance(text, str):  # what a notebook held may be anything
         raise ExpressionError(f"{what} takes text, got {type(text).__name__}")
+    seen = visible(text)
     try:
-        yield text
+        yield seen
     except ExpressionError as error:
-        error.text = text
+        error.text = seen
         raise
+
+
+def visible(text: str) -> str:
+    """The text without characters that are not seen, such as zero-width spaces."""
+    return text.translate(UNSEEN)
 
 
 def tokens_of(text: str, signs: frozenset[str] = FORMULA) -> list[Token]:

@@ -47,7 +47,7 @@ def _typed_rows(raw: Raw, answer: Configurations) -> Array:
     if raw.kind != "text":
         raise Unreadable(f"takes numbers, got {clip(raw.kind)}")
     if isinstance(raw.value, str):
-        return typed_block(raw.value, "numbers")
+        return typed_block(raw.value, answer.joints, "numbers")
     entries, shape = flat_texts(raw.value)
     units = np.resize(np.array(answer.units), len(entries))
     values: list[float] = []

@@ -54,7 +54,7 @@ def _constant(number: float) -> Expression:
 
 def _typed_at_once(text: str, shape: tuple[int, ...], names: Sequence[str]) -> list[Expression]:
     """The entries of a matrix in one text, row by row."""
-    rows = _read(text, lambda text: typed_matrix(text, names))
+    rows = _read(text, lambda text: typed_matrix(text, names, shape[-1]))
     _refuse_other_shape((len(rows), len(rows[0])), shape)
     return [entry for row in rows for entry in row]
 

@@ -49,7 +49,7 @@ def _typed_array(raw: Raw, shape: tuple[int, ...], units: NDArray[np.str_]) -> A
     if raw.kind != "text":
         raise Unreadable(f"takes numbers of shape {shape}, got {clip(raw.kind)}")
     if isinstance(text, str) and shape:
-        return typed_block(text, f"numbers of shape {shape}")
+        return typed_block(text, shape[-1], f"numbers of shape {shape}")
     entries, found = flat_texts(text)
     reshaped(np.zeros(found), shape)  # refuses another shape
     values: list[float] = []

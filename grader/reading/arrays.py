@@ -67,14 +67,16 @@ def refuse_infinite(array: Array) -> None:
     raise Unreadable(f"takes finite numbers, got NaN or infinity{place}")
 
 
-def typed_block(text: str, what: str) -> Array:
+def typed_block(text: str, columns: int, what: str) -> Array:
     """A whole matrix in one string, of shape (rows, columns); `what` is expected instead.
+
+    The matrices of a stack are put one below the other.
 
     Raises:
         Unreadable: it is no matrix of numbers, with a caret under the place.
     """
     try:
-        rows = typed_matrix(text, ())
+        rows = typed_matrix(text, (), columns, degrees=False)
     except ExpressionError as error:
         raise Unreadable(f"takes {what}, got text: {clip(text)}\n{error.caret}") from error
     return np.array([_values(row) for row in rows], dtype=float)
