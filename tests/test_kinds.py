@@ -189,7 +189,9 @@ def test_a_name_that_the_variant_lacks_is_unknown():
 CHOICE = Part("t_x", "x?", 2, Choice(("red", "green", "blue")), lambda *_: "b")
 
 
-@pytest.mark.parametrize("text", ["b", "B", "(b)", " b) ", "green", "b) green", "Green"])
+@pytest.mark.parametrize(
+    "text", ["b", "B", "(b)", " b) ", "green", "b) green", "Green", ["b"], [["b"]], "b\u200b"]
+)
 def test_a_choice_is_its_letter_or_its_text(text):
     assert verdict(CHOICE, text).points == 2
 
@@ -199,7 +201,7 @@ def test_another_choice_is_wrong(text):
     assert (verdict(CHOICE, text).status, verdict(CHOICE, text).points) == ("incorrect", 0)
 
 
-@pytest.mark.parametrize("raw", ["d", "ab", "a or b", np.array(2.0), [["b"]]])
+@pytest.mark.parametrize("raw", ["d", "ab", "a or b", np.array(2.0), ["b", "c"]])
 def test_what_is_no_choice_is_refused(raw):
     found = verdict(CHOICE, raw)
     assert found.status == "failed"
