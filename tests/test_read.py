@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from answers import raw, variant_of
+from kinegrade.exercises.answers import Configurations, Formulas
 from kinegrade.exercises.exercise import Numbers, TableOf
 from kinegrade.grader.collecting.wire import Raw
 from kinegrade.grader.kinds.markers import read
@@ -40,6 +41,37 @@ def test_a_vector_may_stand_as_row_or_column(shape):
 def test_complex_numbers_are_refused():
     with pytest.raises(Unreadable, match="real numbers"):
         read(Numbers((2,)), Raw("num", np.array([1, 2 + 1j])), V)
+
+
+@pytest.mark.parametrize("shape", [(6, 3, 1), (1, 6, 3), (6, 1, 3), (1, 6, 3, 1), (2, 3, 3)])
+def test_brackets_that_change_nothing_may_stand_around_entries(shape):
+    given = np.arange(18.0).reshape(shape)
+    np.testing.assert_array_equal(
+        read(Numbers((6, 3)), raw(given), V), np.arange(18.0).reshape(6, 3)
+    )
+
+
+@pytest.mark.parametrize("shape", [(3, 6, 1), (3, 2, 3, 1), (18,), (3, 1, 6)])
+def test_other_brackets_are_another_shape(shape):
+    with pytest.raises(Unreadable, match="takes shape"):
+        read(Numbers((6, 3)), raw(np.zeros(shape)), V)
+
+
+@pytest.mark.parametrize(
+    "answer", [Numbers((2,)), Configurations(1, decimals=3, most=4), Formulas((2,), ("q1",))]
+)
+def test_imaginary_parts_that_rounding_left_are_none(answer):
+    found = read(answer, Raw("num", np.array([1 + 1e-17j, -2e3 - 1e-13j])), V)
+    numbers = found.at({}) if isinstance(answer, Formulas) else found.ravel()
+    np.testing.assert_array_equal(numbers, [1, -2000])
+    with pytest.raises(Unreadable, match="takes real numbers, got complex ones"):
+        read(answer, Raw("num", np.array([1 + 1e-9j, 2])), V)
+
+
+def test_a_stack_may_be_nested_text():
+    stack = np.arange(8.0).reshape(2, 2, 2)
+    text = [[[f"{x}/2 m" for x in row] for row in rows] for rows in (2 * stack).tolist()]
+    np.testing.assert_array_equal(read(Numbers((2, 2, 2), "m"), raw(text), V), stack)
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,7 @@ from ...exercises.kinds.formulas import names_on_sheet
 from ...solutions.expression import Expression, ExpressionError, parse
 from ...solutions.expression_array import SAME, ExpressionArray, same_formulas, sampled
 from ..collecting.wire import Raw
-from ..reading.arrays import flat_texts, reshaped
+from ..reading.arrays import flat_texts, real_numbers, reshaped
 from ..reading.typed import typed
 from ..reading.typed_matrix import typed_matrix
 from ..reading.unreadable import Unreadable, clip, entry_name, misread
@@ -42,8 +42,9 @@ def read_formulas(answer: Formulas, raw: Raw, v: Variant) -> ExpressionArray:
 
 def _constants(array: Array, shape: tuple[int, ...]) -> list[Expression]:
     _refuse_other_shape(array.shape, shape)
-    if np.iscomplexobj(array) or not np.isfinite(array).all():
-        raise Unreadable("takes formulas, got numbers that are not finite and real")
+    array = real_numbers(array)
+    if not np.isfinite(array).all():
+        raise Unreadable("takes formulas, got numbers that are not finite")
     return [_constant(float(number)) for number in array.ravel()]
 
 
