@@ -2,6 +2,7 @@
 
 from functools import cache
 
+import numpy as np
 import pytest
 from answers import EXERCISES, right_raws
 from kinegrade.exercises.catalogue.rrt import FORMS
@@ -30,8 +31,16 @@ def det(q1, q2, q3):
     return T[:3, 3].jacobian([q1, q2, q3]).det()
 
 not_simplified = det(q1, q2, q3)
+
+from sympy.physics.mechanics import dynamicsymbols
+in_time = sp.simplify(det(*dynamicsymbols("q1:4")))
+thetas = sp.simplify(det(*sp.symbols(r"\\theta_1 \\theta_{2}"), q3))
+dusty = sp.simplify(not_simplified) + 6e-17*q1 + sp.Float(1e-18)*sp.I
+exact = sp.factor(sp.simplify(not_simplified))
+solved = sp.solve(sp.sin(q2)*(q3 + l3), [q2, q3], dict=True)
+stack = [sp.Matrix([[1, sp.sqrt(2)], [sp.pi, 0]]), sp.eye(2)]
 """
-ANSWERS = ("not_simplified",)
+ANSWERS = ("not_simplified", "in_time", "thetas", "dusty", "exact", "solved", "stack")
 
 
 @cache
@@ -44,11 +53,25 @@ def verdict(part, raw):
     return next(found for found in mark(RRT, V, raws) if found.part == part)
 
 
-@pytest.mark.parametrize("name", ["not_simplified"])
+@pytest.mark.parametrize("name", ["not_simplified", "in_time", "thetas", "dusty", "exact"])
 def test_a_determinant_is_right_as_it_was_derived(name):
     raw = handed_in()[name]
     found = verdict("rrt_det", raw)
     assert found.status == "correct", (raw, found.findings)
+
+
+def test_what_solve_returns_are_conditions():
+    raw = handed_in()["solved"]
+    v = {"form": FORMS.index(("-pi/2", ("l3",))), "d1": 0.6, "l3": 0.25, "q": V["q"]}
+    raws = {**right_raws(RRT, v), "rrt_singular": raw}
+    (found,) = [found for found in mark(RRT, v, raws) if found.part == "rrt_singular"]
+    assert found.status == "correct", (raw.value, found.findings)
+
+
+def test_a_list_of_matrices_is_a_stack():
+    np.testing.assert_allclose(
+        handed_in()["stack"].value, [[[1, np.sqrt(2)], [np.pi, 0]], [[1, 0], [0, 1]]]
+    )
 
 
 def test_a_determinant_that_is_not_simplified_is_long():

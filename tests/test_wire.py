@@ -44,7 +44,7 @@ def test_complex_numbers_are_real_only_where_no_imaginary_part_is_left():
         {"k": "text", "v": {"a": 1}},
         {"k": "text", "v": "x" * 20_001},
         {"k": "text", "v": ["x" * 20_001]},
-        {"k": "text", "v": [[["deep"]]]},
+        {"k": "text", "v": [[[["deep"]]]]},
         {"k": "text", "v": [0] * 200_000},
         {"k": "text", "v": [[[0] * 64] * 64] * 64},
         {"k": "text", "v": [["x"] * 65]},

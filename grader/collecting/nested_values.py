@@ -93,7 +93,7 @@ def _no_numbers(leaf: Any) -> Raw:
 
 def _text(value: Any, shape: list[int]) -> Any:
     """Strings, and numbers as strings, with nothing cut off."""
-    if len(shape) > 2:
+    if len(shape) > 3:
         raise ValueError("not a matrix: its text is nested too deeply")
     longest = max(shape, default=0)
     if longest > MAX_ROWS:

@@ -66,7 +66,8 @@ class _Numeric(_Noted):
 
 _Text = Annotated[str, Field(max_length=MAX_TEXT)]
 _Row = Annotated[list[_Text], Field(max_length=MAX_ROWS)]
-_Rows = Annotated[list[_Text | _Row], Field(max_length=MAX_ROWS)]
+_Matrix = Annotated[list[_Row], Field(max_length=MAX_ROWS)]
+_Rows = Annotated[list[_Text | _Row | _Matrix], Field(max_length=MAX_ROWS)]
 
 
 class _Typed(_Noted):
