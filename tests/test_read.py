@@ -170,8 +170,51 @@ def test_a_cell_without_a_value_is_refused(cell):
 
 
 def test_a_complex_table_is_refused():
-    with pytest.raises(Unreadable, match="table of shape"):
+    with pytest.raises(Unreadable, match="takes real numbers, got complex ones"):
         read(TABLE, Raw("num", np.full((3, 4), 1j)), V)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "[q1 d1 a1 -pi/2; q2 0 0 pi/2; 0 q3 0 0]",
+        "[q1, d1, a1, -90°; q2, 0, 0, 90 deg; 0, q3, 0, 0]",
+        "rrt_dh = [[theta_1, d1, a1, -pi/2], [q2, 0, 0, pi/2], [0, q3, 0, 0]]",
+        "[[q1, rrt_d1, a1, -1.5707963], [q2, 0, 0, np.pi/2], [6e-17, q3(t), 0, 0]]",
+    ],
+)
+def test_a_table_may_be_one_text(text):
+    table, right = (read(TABLE, raw(typed), V) for typed in (text, RIGHT))
+    numbers = [each.numbers({**V, "q1": 0.1, "q2": 0.2, "q3": 0.3}) for each in (table, right)]
+    np.testing.assert_allclose(*numbers, atol=1e-6)
+
+
+def test_a_table_may_have_degrees_with_their_sign():
+    cells = [["q1 + 90°", "d1", "a1", "-90 deg"], ["q2", "0", "0", "90º"], ["0", "q3", "0", "0"]]
+    numbers = read(TABLE, raw(cells), V).numbers({**V, "q1": 0, "q2": 0, "q3": 0})
+    np.testing.assert_allclose(numbers[:, [0, 3]] * 2 / np.pi, [[1, -1], [0, 1], [0, 0]])
+
+
+@pytest.mark.parametrize(
+    ("row", "cells", "words"),
+    [
+        (3, ["q3", "0", "0", "0"], "row 3, theta: joint 3 slides, so q3 belongs in d"),
+        (3, ["theta_3", "0.7", "0", "0"], "row 3, theta: joint 3 slides, so q3 belongs in d"),
+        (3, ["0", "0", "q3", "0"], "row 3, a: joint 3 slides, so q3 belongs in d"),
+        (1, ["0", "q1", "a1", "0"], "row 1, d: joint 1 turns, so q1 belongs in theta"),
+    ],
+)
+def test_a_joint_variable_in_another_column_is_sent_to_its_own(row, cells, words):
+    table = [[str(cell) for cell in row] for row in RIGHT]
+    table[row - 1] = cells
+    with pytest.raises(Unreadable) as caught:
+        read(TABLE, raw(table), V)
+    assert str(caught.value) == words
+
+
+def test_a_table_of_numbers_may_have_brackets_around_its_cells():
+    numbers = np.array([[0.4, 0.5, 0.3, 0], [0.6, 0, 0, 0], [0, 0.7, 0, 0]])
+    assert read(TABLE, raw(numbers[..., None]), V) == read(TABLE, Raw("num", numbers + 1e-17j), V)
 
 
 def test_a_sentence_about_a_table_stays_short():

@@ -46,9 +46,9 @@ def reshaped(array: NDArray[Any], asked: tuple[int, ...]) -> Array:
 def _is_written_as(shape: tuple[int, ...], asked: tuple[int, ...]) -> bool:
     """Whether a shape is another way to write the asked one.
 
-    Matrices of a stack may stand one below the other, a matrix in blocks, a vector may be a row or a column, and one
-    number may stand in any brackets. Brackets around single entries or around all of it change
-    nothing: (6, 3, 1) is (6, 3).
+    Matrices of a stack may stand one below the other, a matrix in blocks, a vector may be a row or
+    a column, and one number may stand in any brackets. Brackets around single entries or around all
+    of it change nothing: (6, 3, 1) is (6, 3).
     """
     if without_single_axes(shape, asked) == asked:
         return True
