@@ -83,6 +83,7 @@ def test_the_linear_block_is_singular_where_a_condition_holds(form):
         (variant(), ["q3 = 0", "cos(q2) = 0"], 0),
         (variant("d2"), ["q3 = 0", "d2 + q3*sin(q2) = 0"], 0),
         (variant("l3"), ["q3 + l3 = 0", "s2 = 0"], 3),
+        (variant(), ["q2 = 0, 3.1416", "q3 = 0"], 3),
         (variant("l3"), ["q3 = 0", "s2 = 0"], 0),
         (variant("a1"), ["q3 = 0", "a1 + q3*sin(q2) = 0"], 3),
         (variant("a1"), ["q3 = 0", "sin(q2) = -a1/q3"], 3),

@@ -485,6 +485,17 @@ def test_how_a_typed_number_was_read_is_said():
     assert verdict(LENGTH, np.array(0.4)).reading == ""
 
 
+def test_a_rounded_angle_in_a_formula_is_named():
+    part = formulas((2,), ["sin(q1 - pi/2)", "q1 + q2 + pi"])
+    found = verdict(part, ["sin(q1 - 1.5708)", "q1 + q2 + pi"])
+    assert found.points == 2
+    assert found.reading == (
+        "Read with 1.5708 as it stands; formulas take pi/2, not its rounded value."
+    )
+    assert verdict(part, ["sin(q1 - 90°)", "q1 + q2 + 3.141592653589793"]).points == 4
+    assert verdict(part, ["-cos(q1)", "0.785*l1"]).reading == ""
+
+
 @pytest.mark.parametrize("part", [CHOICE, LENGTH, formulas()])
 def test_blank_text_is_no_answer(part):
     assert verdict(part, " \n").status == "missing"

@@ -8,9 +8,10 @@ import numpy as np
 from ...exercises.answers import Formulas, Variant
 from ...exercises.kinds.formulas import names_on_sheet
 from ...solutions.expression import Expression, ExpressionError, parse
-from ...solutions.expression_array import SAME, ExpressionArray, same_formulas, sampled
+from ...solutions.expression_array import ANGLE, SAME, ExpressionArray, same_formulas, sampled
 from ..collecting.wire import Raw
 from ..reading.arrays import flat_texts, real_numbers, reshaped
+from ..reading.rounded import rounded_angles
 from ..reading.typed import typed
 from ..reading.typed_matrix import typed_matrix
 from ..reading.unreadable import Unreadable, clip, entry_name, misread
@@ -90,6 +91,15 @@ def _handed_in(_: Formulas, value: ExpressionArray, __: Variant) -> Raw:
     return Raw("text", value.text())
 
 
+def _read_as(_: Formulas, __: Raw, value: ExpressionArray) -> str:
+    """The first rounded angle: formulas are compared to more digits than it has."""
+    for entry in value.entries:
+        angles = {name for name in entry.names if ANGLE.fullmatch(name)}
+        for number, exact in rounded_angles(entry, angles).items():
+            return f"Read with {number} as it stands; formulas take {exact}, not its rounded value."
+    return ""
+
+
 def _trivial(_: Formulas, wanted: Wanted, __: Variant) -> Mask:
     """Entries without names."""
     constant = [not entry.names for entry in wanted.value.entries]
@@ -154,6 +164,7 @@ MARKER = Marker(
     _compared,
     _handed_in,
     shown=ExpressionArray.text,
+    read_as=_read_as,
     trivial=_trivial,
     arrays=_arrays,
     has_blocks=_has_blocks,
