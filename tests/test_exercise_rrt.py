@@ -115,6 +115,18 @@ def test_a_determinant_that_is_constant_earns_nothing(answer):
     assert verdicts(v, det=answer, J_symbolic=zeros)["det"].points == 0
 
 
+def test_angles_of_a_table_in_degrees_are_said_to_be_read_in_radians():
+    v = variant("l3")
+    cells = [["q1", "d1", 0, -90], ["q2", 0, 0, 90], [0, "q3 + l3", 0, 0]]
+    found = verdicts(v, dh=[[str(cell) for cell in row] for row in cells])["dh"]
+    assert found.status == "partly"
+    assert found.reading == "In row 1, alpha, 90 is read in radians; degrees are written 90°."
+
+    cells[0][3], cells[1][3] = "-90°", "90°"
+    found = verdicts(v, dh=[[str(cell) for cell in row] for row in cells])["dh"]
+    assert (found.status, found.reading) == ("correct", "")
+
+
 def wrong_table(v, row, column, cell):
     cells = [[str(x) for x in cells] for cells in robot(v["form"]).table.rows]
     cells[row][column] = cell

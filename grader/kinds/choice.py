@@ -32,11 +32,12 @@ def _single(raw: Raw) -> str:
     """What was handed in as text; a list or an array of one entry is that entry."""
     if raw.kind == "num" and raw.value.size == 1:  # an option may be a number
         return f"{raw.value.item():g}"
-    if isinstance(raw.value, list):
-        texts, _ = flat_texts(cast("list[Any]", raw.value))
+    value: Any = raw.value
+    if isinstance(value, list):
+        texts, _ = flat_texts(value)
         if len(texts) == 1:
             return texts[0]
-    return str(raw.value)
+    return str(cast("object", value))
 
 
 def _compared(_: Choice, __: Variant, wanted: Wanted, value: str) -> Comparison:

@@ -24,6 +24,7 @@ from .marker import Marker, Mask, Wanted, is_trivial
 THETA = 0
 ANGLES = (0, 3)  # columns theta and alpha of a table
 DUST = 1e-12
+FULL_TURN = 6.3  # rad
 KINDS = "RP"  # by the column of their joint variable, theta or d
 MOVES = ("turns", "slides")
 SAME_ANGLE = 8e-3  # of a quarter turn, 0.7 degrees: two decimals of a radian are still the own q
@@ -162,6 +163,18 @@ def _handed_in(_: TableOf, value: Table, __: Variant) -> Raw:
     return Raw("text", table_text(value))
 
 
+def _read_as(_: TableOf, __: Raw, value: Table) -> str:
+    """The first angle that was typed in degrees and not said to be."""
+    for i, row in enumerate(value.rows, 1):
+        for column in ANGLES:
+            numbers = [float(node[1]) for node in row[column].nodes if node[0] == "n"]
+            if max(numbers, default=0.0) > FULL_TURN:
+                number = f"{max(numbers):g}"
+                place = f"row {i}, {COLUMNS[column]}"
+                return f"In {place}, {number} is read in radians; degrees are written {number}°."
+    return ""
+
+
 def _trivial(answer: TableOf, wanted: Wanted, v: Variant) -> Mask:
     return is_trivial(answer.pictured(wanted.value, v), 0.0)
 
@@ -171,6 +184,7 @@ MARKER = Marker(
     _compared,
     _handed_in,
     shown=table_text,
+    read_as=_read_as,
     trivial=_trivial,
     varies=True,
     by_rows=True,

@@ -25,9 +25,11 @@ def real_numbers(array: NDArray[Any]) -> Array:
     """
     if not np.iscomplexobj(array):
         return array
-    if not (np.abs(array.imag) < DUST * np.fmax(1.0, np.abs(array.real))).all():
+    numbers = np.asarray(array, dtype=np.complex128)
+    real = np.asarray(numbers.real, dtype=np.float64)
+    if not (np.abs(numbers.imag) < DUST * np.fmax(1.0, np.abs(real))).all():
         raise Unreadable("takes real numbers, got complex ones")
-    return array.real
+    return real
 
 
 def reshaped(array: NDArray[Any], asked: tuple[int, ...]) -> Array:
