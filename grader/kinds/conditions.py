@@ -21,7 +21,7 @@ from .zero_sets import judge_conditions
 WHOLE = 1e-9  # degrees
 MOST_CONDITIONS = 32
 MOST_EQUATIONS = 64  # in all conditions
-MOST_NODES = 16_000  # numbers, names and signs in all conditions
+MOST_NODES = 6000  # numbers, names and signs in all conditions
 
 
 def read_conditions(answer: Conditions, raw: Raw, v: Variant) -> tuple[Condition, ...]:
