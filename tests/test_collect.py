@@ -109,7 +109,7 @@ def test_values_come_back_as_a_person_would_mean_them(code, expected):
             "too long: a text of",
         ),
         (
-            "from sympy import *\np, q = symbols('p q')\nx = solve(p**2*(q - 1), [p, q], dict=True)",
+            "from sympy import *\np, q = symbols('p q')\nx = solve(p*p*(q - 1), [p, q], dict=True)",
             "text",
             "['p = 0', 'q = 1']",
         ),
