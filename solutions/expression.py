@@ -145,8 +145,8 @@ def parse(text: str, names: Collection[str]) -> Expression:
     powers; mathematical minus, times and dot signs, Greek letters, subscripts and superscripts are
     read. Raises ExpressionError where the text is anything else, too long, too deep or not finite.
     """
-    with refusing(text):
-        return expression_of(tokens_of(text), names)
+    with refusing(text) as seen:
+        return expression_of(tokens_of(seen), names)
 
 
 def expression_of(tokens: Sequence[Token], names: Collection[str]) -> Expression:

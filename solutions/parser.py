@@ -8,10 +8,10 @@ import numpy as np
 
 from .errors import nearest
 from .nodes import BINDING, CALLED, Node, applied
-from .tokens import SIZE, ExpressionError, Token, number
+from .tokens import DEPTH, SIZE, TOO_DEEP, ExpressionError, Token, number
 
 AS_PRINTED = {"Abs": "abs"}  # functions that sympy prints under another name
-DEPTH = 40  # brackets and operators inside one another, at most
+NODES = 4000  # numbers, names, functions and signs of a formula, at most
 EXPONENT = 20  # powers and powers of powers, at most
 SHOWN = 40  # characters of a name in a message
 MISSING = {
@@ -65,7 +65,7 @@ class _Parser:
     def operand(self, binding: int, depth: int) -> int:
         """Read one operand and the operators behind it that bind tighter than `binding`."""
         if depth > DEPTH:
-            raise ExpressionError("the formula is nested too deeply", self.next.offset)
+            raise ExpressionError(TOO_DEEP, self.next.offset)
 
         left = self.prefix(depth)
         while self.next.kind == "sign" and BINDING.get(self.next.text, 0) > binding:
@@ -154,6 +154,10 @@ class _Parser:
 
     def append(self, node: Node, constant: float | None, power: float) -> int:
         """Append a node; its place."""
+        if len(self.nodes) == NODES:
+            raise ExpressionError(
+                f"a formula takes up to {NODES} numbers, names and signs", self.next.offset
+            )
         self.nodes.append(node)
         self.constants.append(constant)
         self.powers.append(power)

@@ -8,7 +8,9 @@ from typing import NamedTuple
 
 from .errors import KinegradeError
 
-LENGTH = 400  # characters of a formula, at most
+LENGTH = 20_000  # characters that are looked at; the work of a formula is limited by its nodes
+NAME = 400  # characters of a name, at most
+DEPTH = 40  # brackets and operators inside one another, at most
 DIGITS_OF_A_NUMBER = 40  # and of one number in it
 SIZE = 1e12  # of a number, at most; 1 / SIZE is the least
 GREEK = {
@@ -18,20 +20,31 @@ GREEK = {
 SIGNS = {
     "−": "-", "–": "-",
     "×": "*", "·": "*", "⋅": "*", "∙": "*", "∗": "*", "÷": "/", "**": "^",
-    "==": "=", "&&": "&", "∧": "&",
+    "==": "=", "&&": "&", "∧": "&", "º": "°", "˚": "°",
 }  # fmt: skip
+# What is copied along from web pages and is not seen: zero-width spaces and joiners, marks of the
+# direction of writing, the sign between a function and its argument, soft hyphens.
+UNSEEN = dict.fromkeys(
+    [
+        *(0xAD, 0x2060, 0x2061, 0xFEFF),
+        *range(0x200B, 0x2010),
+        *range(0x202A, 0x202D),
+        *range(0x2066, 0x206A),
+    ]
+)
 SUBSCRIPTS = "₀₁₂₃₄₅₆₇₈₉"
 SUPERSCRIPTS = "⁰¹²³⁴⁵⁶⁷⁸⁹"
 DIGITS = dict(zip(SUBSCRIPTS + SUPERSCRIPTS, "0123456789" * 2, strict=True))
-TRANSLATED = str.maketrans({**GREEK, **DIGITS, "{": None, "}": None})
+TRANSLATED = str.maketrans({**GREEK, **DIGITS, "{": None, "}": None, "\\": None})
 FORMULA = frozenset("-+*/^(),")
 PAIRS = {"(": ")", "[": "]"}
 CLOSING = frozenset(PAIRS.values())
+TOO_DEEP = "the formula is nested too deeply"
 LETTER = f"A-Za-z_{''.join(GREEK)}"
 WORD = rf"[{LETTER}][{LETTER}0-9{SUBSCRIPTS}]*(?:(?<=_)\{{[0-9]+\}})?"  # s_{12}, too
 TOKEN = re.compile(
     rf"(?P<number>(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)"
-    rf"|(?P<name>{WORD}(?:\.{WORD})*)"
+    rf"|(?P<name>\\?{WORD}(?:\.{WORD})*)"  # \theta_1 of LaTeX, too
     rf"|(?P<power>⁻?[{SUPERSCRIPTS}]+)"
     r"|(?P<line>\n)"
     r"|(?P<space>[^\S\n]+)"
@@ -76,26 +89,32 @@ class Token(NamedTuple):
 
 @contextmanager
 def refusing(text: object, what: str = "a formula") -> Generator[str]:
-    """The typed text, which an ExpressionError raised inside takes along.
+    """The typed text as it is seen, which an ExpressionError raised inside takes along.
 
     Raises ExpressionError where it is no text.
     """
     if not isinstance(text, str):  # what a notebook held may be anything
         raise ExpressionError(f"{what} takes text, got {type(text).__name__}")
+    seen = visible(text)
     try:
-        yield text
+        yield seen
     except ExpressionError as error:
-        error.text = text
+        error.text = seen
         raise
 
 
-def tokens_of(text: str, signs: frozenset[str] = FORMULA, length: int = LENGTH) -> list[Token]:
+def visible(text: str) -> str:
+    """The text without characters that are not seen, such as zero-width spaces."""
+    return text.translate(UNSEEN)
+
+
+def tokens_of(text: str, signs: frozenset[str] = FORMULA) -> list[Token]:
     """Tokens of a text, the last of kind "end"; line ends are tokens where they are among `signs`.
 
     Raises ExpressionError where the text is too long or has a character without meaning.
     """
-    if len(text) > length:
-        raise ExpressionError(f"a formula takes up to {length} characters, got {len(text)}", length)
+    if len(text) > LENGTH:
+        raise ExpressionError(f"a formula takes up to {LENGTH} characters, got {len(text)}", LENGTH)
 
     tokens = list[Token]()
     for match in TOKEN.finditer(text):  # any character is a token: what has no meaning is a sign
@@ -106,6 +125,8 @@ def tokens_of(text: str, signs: frozenset[str] = FORMULA, length: int = LENGTH) 
             tokens.append(_sign(found, place, signs))
         elif kind == "line" and "\n" in signs:
             tokens.append(Token("sign", "\n", place))
+        elif kind == "name" and len(found) > NAME:
+            raise ExpressionError(f"a name takes up to {NAME} characters", place)
         elif kind in ("number", "name", "end"):
             tokens.append(Token(kind, found.translate(TRANSLATED), place, found))
     return tokens
@@ -134,15 +155,23 @@ def _power(text: str, match: re.Match[str]) -> list[Token]:
 
 
 def paired(tokens: Sequence[Token]) -> None:
-    """Raises ExpressionError where a bracket is not closed by its like or was never opened."""
+    """Raises ExpressionError where a bracket is not closed by its like or was never opened.
+
+    Brackets that stand in more than eighty others are refused, too.
+    """
     awaited = list[str]()
+    too_deep: Token | None = None
     for token in tokens:
         if token.text in PAIRS:
             awaited.append(PAIRS[token.text])
+            if len(awaited) > 2 * DEPTH:  # some of them may be those of a matrix
+                too_deep = too_deep or token
         elif token.kind == "end" and awaited:
             raise ExpressionError("a closing bracket is missing", token.offset)
         elif token.text in CLOSING:
             _close(token, awaited)
+    if too_deep:
+        raise ExpressionError(TOO_DEEP, too_deep.offset)
 
 
 def _close(token: Token, awaited: list[str]) -> None:

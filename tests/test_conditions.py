@@ -39,6 +39,15 @@ def judged(reference, *texts, domain=DOMAIN):
         (OFFSET, ["q3 = 0", "2*a1 = -2*q3*s2"]),
         (ELBOW, ["q2 = -atan(2)", "q2 = pi - atan(2)"]),
         (ELBOW, ["2*cos(q2) + sin(q2) = 0"]),
+        (SPHERICAL, ["q2 = 3.1416 or q2 = 0", "q3 = 0"]),
+        (SPHERICAL, ["q2 = 3.14159", "q2 = -3.1416", "q2 = 0", "q3 = 0"]),
+        (SPHERICAL, ["q2 = k*3.1416", "q3 = 0"]),
+        (SPHERICAL, ["q2 = 3.142, 0", "q3 = 0"]),
+        (SPHERICAL, ["cos(q2 - 1.571) = 0", "q3 = 0"]),
+        (SPHERICAL, ["q2 = 0°", "q2 = 180 deg", "q3 = 0"]),
+        (("cos(q2)", "q3"), ["q2 = ±90°", "q3 = 0"]),
+        (("cos(q2)", "q3"), ["q2 = 3.1416/2", "q2 = -1.5708", "q3 = 0"]),
+        (("cos(2*q2 - pi/6)",), ["2*q2 = 0.5236 + 1.5708 + k*3.14159"]),
     ],
 )
 def test_the_same_postures_in_other_words_are_right(reference, texts):
@@ -75,6 +84,26 @@ def test_what_is_missing_or_too_much_is_said_and_costs_its_share(reference, text
     found = judged(reference, *texts)
     assert found.share == pytest.approx(share)
     assert any(words in sentence for sentence in found.findings)
+
+
+@pytest.mark.parametrize("texts", [["q2 = 3.14", "q2 = 0"], ["q2 = 3.1421", "q2 = 0"]])
+def test_a_number_that_is_no_rounding_of_an_angle_stays_as_it_is(texts):
+    assert judged(SPHERICAL, *texts, "q3 = 0").share == 0
+
+
+def test_a_length_or_a_number_of_the_sheet_is_no_rounded_angle():
+    v = V | {"l3": 0.785, "beta": 0.524, "q": [0.1, 0.262, 0.3], "told": [["R", "P"], [1]]}
+    texts = ["q3 = 1.571", "q3 + 0.785 = 0", "l3*sin(q2) = 0.262", "q1 = 0.524", "q2 = -0.262"]
+    answer = Conditions(NAMES, lambda _: DOMAIN)
+    found = read_conditions(answer, Raw("text", [*texts, "q1 = 1.047"]), v)
+    assert [str(each) for each in found] == [
+        "q3 - 1.571",
+        "q3 + 0.785",
+        "l3*sin(q2) - 0.262",
+        "q1 - 0.524",
+        "q2 - (-0.262)",
+        "q1 - pi/3",
+    ]
 
 
 @pytest.mark.parametrize("texts", [["q2 - q2 = 0"], ["sin(q2)^2 + cos(q2)^2 = 1"], ["q3^2 = -1"]])

@@ -83,6 +83,7 @@ def test_the_linear_block_is_singular_where_a_condition_holds(form):
         (variant(), ["q3 = 0", "cos(q2) = 0"], 0),
         (variant("d2"), ["q3 = 0", "d2 + q3*sin(q2) = 0"], 0),
         (variant("l3"), ["q3 + l3 = 0", "s2 = 0"], 3),
+        (variant(), ["q2 = 0, 3.1416", "q3 = 0"], 3),
         (variant("l3"), ["q3 = 0", "s2 = 0"], 0),
         (variant("a1"), ["q3 = 0", "a1 + q3*sin(q2) = 0"], 3),
         (variant("a1"), ["q3 = 0", "sin(q2) = -a1/q3"], 3),
@@ -112,6 +113,18 @@ def test_a_determinant_that_is_constant_earns_nothing(answer):
     zeros = [["0"] * 3] * 6
     assert verdicts(v, det=answer)["det"].points == 0
     assert verdicts(v, det=answer, J_symbolic=zeros)["det"].points == 0
+
+
+def test_angles_of_a_table_in_degrees_are_said_to_be_read_in_radians():
+    v = variant("l3")
+    cells = [["q1", "d1", 0, -90], ["q2", 0, 0, 90], [0, "q3 + l3", 0, 0]]
+    found = verdicts(v, dh=[[str(cell) for cell in row] for row in cells])["dh"]
+    assert found.status == "partly"
+    assert found.reading == "In row 1, alpha, 90 is read in radians; degrees are written 90°."
+
+    cells[0][3], cells[1][3] = "-90°", "90°"
+    found = verdicts(v, dh=[[str(cell) for cell in row] for row in cells])["dh"]
+    assert (found.status, found.reading) == ("correct", "")
 
 
 def wrong_table(v, row, column, cell):

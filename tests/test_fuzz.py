@@ -41,7 +41,7 @@ PIECES = [
     *LEAVES, *FUNCTIONS, *"+-*/^(),;[]", "**", " ", "  ", "\n", "=", ".", "e", "x2", "s1c2", "9" * 30, "1e999",
     "²", "³", "⁻¹", "√", "π", "θ₁", "·", "−", "s_{12}", "np.", "Matrix", "array", "sin x", "__class__", "lambda", "if",
     "1e-400", "°", "or", "k", "'", '"', "!", "%", "//", "<<", "~", "@", "{", "}", "\\", "#", "\t", "_", "1_000", "0x1f",
-    "1j", "±", "|", "|", "and", "&",
+    "1j", "±", "|", "|", "and", "&", "\u200b", "\\theta_1", "(t)", "90°", " deg", "J =",
 ]  # fmt: skip
 
 
@@ -200,6 +200,10 @@ def outcome(read: Callable, text: str):
     return None
 
 
+def with_two_columns(text: str, names: tuple[str, ...]):
+    return typed_matrix(text, names, 2)
+
+
 def as_matrix(text: str):
     """What Python makes of a matrix: a flat list is a row, in Matrix(...) a column, and a number 1 x 1."""
     bare = text.strip()
@@ -228,6 +232,8 @@ def test_strings_are_read_as_python_reads_them_or_refused():
         for i, text in enumerate(strings(rng)):
             if i % 4 == 0:  # conditions have no twin in Python: they are only to be read or refused
                 outcome(typed_equations, text)
+            if i % 4 == 1:  # where a blank may be a comma, Python reads otherwise
+                outcome(with_two_columns, text)
             read, meant = outcome(typed, text), oracle(text)
             if read is not None and meant is not None:
                 assert same(read.at(VALUES), meant), text

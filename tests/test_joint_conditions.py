@@ -11,6 +11,7 @@ from kinegrade.exercises.files.finding import load
 from kinegrade.grader.collecting.wire import Raw
 from kinegrade.grader.kinds.common_roots import common_roots
 from kinegrade.grader.kinds.conditions import read_conditions
+from kinegrade.grader.kinds.sums import equations_within
 from kinegrade.grader.kinds.zero_sets import judge_conditions
 from kinegrade.grader.marking.mark import mark
 from kinegrade.grader.reading.unreadable import Unreadable
@@ -311,3 +312,11 @@ def test_no_answer_keeps_the_grader_busy():
     eight = " and ".join(f"sin({i}*q1) = 0" for i in range(1, 9))
     with pytest.raises(Unreadable, match="takes up to 64 equations in all conditions, got 72"):
         read_conditions(conditions(), Raw("text", [eight] * 9), V)
+    long = "q1" + " + q2" * 1900 + " = 0"
+    with pytest.raises(Unreadable, match="takes up to 6000 numbers, names and signs in all"):
+        read_conditions(conditions(), Raw("text", [long] * 2), V)
+
+
+def test_a_sum_of_a_thousand_squares_is_taken_apart():
+    squares = parse("+".join(["q1^2"] * 1000), NAMES)
+    assert equations_within(squares, {}) == [parse("q1", NAMES)] * 1000

@@ -189,7 +189,9 @@ def test_a_name_that_the_variant_lacks_is_unknown():
 CHOICE = Part("t_x", "x?", 2, Choice(("red", "green", "blue")), lambda *_: "b")
 
 
-@pytest.mark.parametrize("text", ["b", "B", "(b)", " b) ", "green", "b) green", "Green"])
+@pytest.mark.parametrize(
+    "text", ["b", "B", "(b)", " b) ", "green", "b) green", "Green", ["b"], [["b"]], "b\u200b"]
+)
 def test_a_choice_is_its_letter_or_its_text(text):
     assert verdict(CHOICE, text).points == 2
 
@@ -199,7 +201,7 @@ def test_another_choice_is_wrong(text):
     assert (verdict(CHOICE, text).status, verdict(CHOICE, text).points) == ("incorrect", 0)
 
 
-@pytest.mark.parametrize("raw", ["d", "ab", "a or b", np.array(2.0), [["b"]]])
+@pytest.mark.parametrize("raw", ["d", "ab", "a or b", np.array(2.0), ["b", "c"]])
 def test_what_is_no_choice_is_refused(raw):
     found = verdict(CHOICE, raw)
     assert found.status == "failed"
@@ -481,6 +483,17 @@ def test_numbers_follow_from_the_own_formulas():
 def test_how_a_typed_number_was_read_is_said():
     assert verdict(LENGTH, "400 mm").reading == "Read as 0.4 m."
     assert verdict(LENGTH, np.array(0.4)).reading == ""
+
+
+def test_a_rounded_angle_in_a_formula_is_named():
+    part = formulas((2,), ["sin(q1 - pi/2)", "q1 + q2 + pi"])
+    found = verdict(part, ["sin(q1 - 1.5708)", "q1 + q2 + pi"])
+    assert found.points == 2
+    assert found.reading == (
+        "Read with 1.5708 as it stands; formulas take pi/2, not its rounded value."
+    )
+    assert verdict(part, ["sin(q1 - 90°)", "q1 + q2 + 3.141592653589793"]).points == 4
+    assert verdict(part, ["-cos(q1)", "0.785*l1"]).reading == ""
 
 
 @pytest.mark.parametrize("part", [CHOICE, LENGTH, formulas()])

@@ -122,7 +122,7 @@ def test_what_is_empty_is_unanswered(value):
         ({"a": 1}, "a struct cannot be marked"),
         (np.zeros((99, 99)), "too large: an array of 99 x 99"),
         ("x" * 20_001, "too large"),
-        (cell(["x" * 401]), "too long: a text of 401 characters; 400"),
+        (cell(["x" * 20_001]), "too large: an array of 1 x 20001; 20000 can be read here"),
         (cell(["x"] * 65), "too long: a list of 65 entries"),
         (csc_matrix((9999, 9999)), "too large"),
         (cell([{"a": 1}]), "a struct cannot be marked"),

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from answers import raw, variant_of
+from kinegrade.exercises.answers import Configurations, Formulas
 from kinegrade.exercises.exercise import Numbers, TableOf
 from kinegrade.grader.collecting.wire import Raw
 from kinegrade.grader.kinds.markers import read
@@ -42,6 +43,37 @@ def test_complex_numbers_are_refused():
         read(Numbers((2,)), Raw("num", np.array([1, 2 + 1j])), V)
 
 
+@pytest.mark.parametrize("shape", [(6, 3, 1), (1, 6, 3), (6, 1, 3), (1, 6, 3, 1), (2, 3, 3)])
+def test_brackets_that_change_nothing_may_stand_around_entries(shape):
+    given = np.arange(18.0).reshape(shape)
+    np.testing.assert_array_equal(
+        read(Numbers((6, 3)), raw(given), V), np.arange(18.0).reshape(6, 3)
+    )
+
+
+@pytest.mark.parametrize("shape", [(3, 6, 1), (3, 2, 3, 1), (18,), (3, 1, 6)])
+def test_other_brackets_are_another_shape(shape):
+    with pytest.raises(Unreadable, match="takes shape"):
+        read(Numbers((6, 3)), raw(np.zeros(shape)), V)
+
+
+@pytest.mark.parametrize(
+    "answer", [Numbers((2,)), Configurations(1, decimals=3, most=4), Formulas((2,), ("q1",))]
+)
+def test_imaginary_parts_that_rounding_left_are_none(answer):
+    found = read(answer, Raw("num", np.array([1 + 1e-17j, -2e3 - 1e-13j])), V)
+    numbers = found.at({}) if isinstance(answer, Formulas) else found.ravel()
+    np.testing.assert_array_equal(numbers, [1, -2000])
+    with pytest.raises(Unreadable, match="takes real numbers, got complex ones"):
+        read(answer, Raw("num", np.array([1 + 1e-9j, 2])), V)
+
+
+def test_a_stack_may_be_nested_text():
+    stack = np.arange(8.0).reshape(2, 2, 2)
+    text = [[[f"{x}/2 m" for x in row] for row in rows] for rows in (2 * stack).tolist()]
+    np.testing.assert_array_equal(read(Numbers((2, 2, 2), "m"), raw(text), V), stack)
+
+
 @pytest.mark.parametrize(
     ("given", "words"),
     [
@@ -49,7 +81,7 @@ def test_complex_numbers_are_refused():
         (Raw("error", "cell 4 stopped with NameError: q"), "cell 4 stopped"),
         (Raw("text", "x"), "got text: x"),
         (Raw("text", [["a" * 500]]), "takes shape (2, 2), got (1, 1)"),
-        (Raw("text", [["1", "2"], ["3", "a" * 500]]), "row 2, column 2: a formula takes up to 400"),
+        (Raw("text", [["1", "2"], ["3", "a" * 500]]), "row 2, column 2: a name takes up to 400"),
     ],
 )
 def test_other_values_are_refused_with_what_they_are(given, words):
@@ -138,8 +170,51 @@ def test_a_cell_without_a_value_is_refused(cell):
 
 
 def test_a_complex_table_is_refused():
-    with pytest.raises(Unreadable, match="table of shape"):
+    with pytest.raises(Unreadable, match="takes real numbers, got complex ones"):
         read(TABLE, Raw("num", np.full((3, 4), 1j)), V)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "[q1 d1 a1 -pi/2; q2 0 0 pi/2; 0 q3 0 0]",
+        "[q1, d1, a1, -90°; q2, 0, 0, 90 deg; 0, q3, 0, 0]",
+        "rrt_dh = [[theta_1, d1, a1, -pi/2], [q2, 0, 0, pi/2], [0, q3, 0, 0]]",
+        "[[q1, rrt_d1, a1, -1.5707963], [q2, 0, 0, np.pi/2], [6e-17, q3(t), 0, 0]]",
+    ],
+)
+def test_a_table_may_be_one_text(text):
+    table, right = (read(TABLE, raw(typed), V) for typed in (text, RIGHT))
+    numbers = [each.numbers({**V, "q1": 0.1, "q2": 0.2, "q3": 0.3}) for each in (table, right)]
+    np.testing.assert_allclose(*numbers, atol=1e-6)
+
+
+def test_a_table_may_have_degrees_with_their_sign():
+    cells = [["q1 + 90°", "d1", "a1", "-90 deg"], ["q2", "0", "0", "90º"], ["0", "q3", "0", "0"]]
+    numbers = read(TABLE, raw(cells), V).numbers({**V, "q1": 0, "q2": 0, "q3": 0})
+    np.testing.assert_allclose(numbers[:, [0, 3]] * 2 / np.pi, [[1, -1], [0, 1], [0, 0]])
+
+
+@pytest.mark.parametrize(
+    ("row", "cells", "words"),
+    [
+        (3, ["q3", "0", "0", "0"], "row 3, theta: joint 3 slides, so q3 belongs in d"),
+        (3, ["theta_3", "0.7", "0", "0"], "row 3, theta: joint 3 slides, so q3 belongs in d"),
+        (3, ["0", "0", "q3", "0"], "row 3, a: joint 3 slides, so q3 belongs in d"),
+        (1, ["0", "q1", "a1", "0"], "row 1, d: joint 1 turns, so q1 belongs in theta"),
+    ],
+)
+def test_a_joint_variable_in_another_column_is_sent_to_its_own(row, cells, words):
+    table = [[str(cell) for cell in row] for row in RIGHT]
+    table[row - 1] = cells
+    with pytest.raises(Unreadable) as caught:
+        read(TABLE, raw(table), V)
+    assert str(caught.value) == words
+
+
+def test_a_table_of_numbers_may_have_brackets_around_its_cells():
+    numbers = np.array([[0.4, 0.5, 0.3, 0], [0.6, 0, 0, 0], [0, 0.7, 0, 0]])
+    assert read(TABLE, raw(numbers[..., None]), V) == read(TABLE, Raw("num", numbers + 1e-17j), V)
 
 
 def test_a_sentence_about_a_table_stays_short():

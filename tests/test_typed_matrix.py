@@ -189,7 +189,7 @@ def test_entries_are_read_as_typed(text: str, rows: list[list[str]]):
         ("{a, b}", 0, "'{' has no meaning"),
         ("[" * 3000, 3000, "a closing bracket is missing"),
         (f"[{'a,' * 5000}a]", 1 + 2 * 4096, "a matrix takes up to 4096 entries, got 5001"),
-        (f"[a, {'b + ' * 100}b]", 404, "an entry takes up to 400 characters, got 401"),
+        (f"[a, {'b + ' * 2000}b]", 8005, "a formula takes up to 4000 numbers, names and signs"),
         ("a" * 20_001, 20_000, "a formula takes up to 20000 characters"),
         ("[a, 1/0]", 5, "division by zero"),
         ("[|a| -|b|]", 5, "this may be one entry or two"),
@@ -346,8 +346,9 @@ def test_an_integer_that_is_a_name_is_the_name():
         ("(q2 = 0)", 4, "'=' has no place here"),
         ("q2 = (0", 7, "a closing bracket is missing"),
         ("q2 = 0;" * 65, 7 * 64, "up to 64 conditions are read, got 65"),
-        ("q2 = " + "1 + " * 120 + "1", 405, "a side of the equation takes up to 400 characters"),
-        ("q" * 2001, 2000, "a formula takes up to 2000 characters"),
+        ("q2 = " + "1 + " * 2000 + "1", 8006, "a formula takes up to 4000 numbers"),
+        ("q2 = " + "(" * 9000 + "1" + ")" * 9000, 85, "the formula is nested too deeply"),
+        ("q" * 20_001, 20_000, "a formula takes up to 20000 characters"),
     ],
 )
 def test_what_is_no_condition_is_refused_at_its_place(text: str, offset: int, message: str):

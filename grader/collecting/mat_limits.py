@@ -28,13 +28,18 @@ from .mat_elements import (
     Order,
     array_of,
 )
-from .wire import MAX_ANSWER, MAX_ELEMENTS, MAX_TEXT
+from .wire import MAX_ELEMENTS, MAX_TEXT
 
 DEPTH = 3  # of cell arrays in cell arrays
 CELLS = "cells and lines of text"
 NUMBERS = "numbers"
 LETTERS = "characters"
-MOST = {CELLS: MAX_CELLS, NUMBERS: MAX_ELEMENTS, LETTERS: MAX_CELLS * MAX_TEXT}  # of one variable
+LETTERS_OF_A_CELL = 400  # on average
+MOST = {
+    CELLS: MAX_CELLS,
+    NUMBERS: MAX_ELEMENTS,
+    LETTERS: MAX_CELLS * LETTERS_OF_A_CELL,
+}  # of one variable
 
 # Bytes of one number, and the least of one character, by the type of an element.
 BYTES = {1: 1, 2: 1, 3: 2, 4: 2, 5: 4, 6: 4, 7: 4, 9: 8, 12: 8, 13: 8}  # fmt: skip
@@ -96,7 +101,7 @@ def _check_class(array: Array) -> None:
 def _check_shape(array: Array) -> None:
     if min(array.shape) < 0 or len(array.shape) > 4:
         raise MatError(DAMAGED)
-    most = {CELL: MAX_CELLS, CHAR: MAX_ANSWER}.get(array.kind, MAX_ELEMENTS)
+    most = {CELL: MAX_CELLS, CHAR: MAX_TEXT}.get(array.kind, MAX_ELEMENTS)
     if _size(array.shape) > most:
         lengths = " x ".join(map(str, array.shape))
         raise MatError(f"too large: an array of {lengths}; {most} can be read here")

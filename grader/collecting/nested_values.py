@@ -6,7 +6,7 @@ from typing import Any, cast
 import numpy as np
 
 from .ask import MAX_CALLS, Ask
-from .wire import MAX_ANSWER, MAX_ELEMENTS, MAX_ROWS, MAX_TEXT, Raw
+from .wire import MAX_ELEMENTS, MAX_ROWS, MAX_TEXT, Raw
 
 DEPTH = 4  # of lists in lists that can be an array
 LONE_SURROGATE = re.compile("[\ud800-\udfff]")
@@ -93,20 +93,20 @@ def _no_numbers(leaf: Any) -> Raw:
 
 def _text(value: Any, shape: list[int]) -> Any:
     """Strings, and numbers as strings, with nothing cut off."""
-    if len(shape) > 2:
+    if len(shape) > 3:
         raise ValueError("not a matrix: its text is nested too deeply")
     longest = max(shape, default=0)
     if longest > MAX_ROWS:
         raise ValueError(f"too long: a list of {longest} entries; an answer may have {MAX_ROWS}")
-    return _entries(value, MAX_TEXT if shape else MAX_ANSWER)
+    return _entries(value)
 
 
-def _entries(value: Any, most: int) -> Any:
+def _entries(value: Any) -> Any:
     if isinstance(value, list):
-        return [_entries(item, most) for item in cast("list[Any]", value)]
+        return [_entries(item) for item in cast("list[Any]", value)]
     text = repr(float(value)) if isinstance(value, float | bool) else str(value)
-    if len(text) > most:
-        raise ValueError(f"too long: a text of {len(text)} characters; {most} can be read here")
+    if len(text) > MAX_TEXT:
+        raise ValueError(f"too long: a text of {len(text)} characters; {MAX_TEXT} can be read here")
     return LONE_SURROGATE.sub("\N{REPLACEMENT CHARACTER}", text)
 
 

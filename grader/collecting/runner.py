@@ -26,8 +26,8 @@ import warnings
 # As in wire.py and ask.py:
 MAX_ELEMENTS = 4096
 MAX_ROWS = 64
-MAX_TEXT = 400
-MAX_ANSWER = 20_000
+MAX_SAID = 400
+MAX_TEXT = 20_000
 MAX_CALLS = 200
 # Of this file alone:
 MAX_OUTPUT = 1 << 16
@@ -36,6 +36,7 @@ DUMPS = json.dumps  # bound here, so that a notebook that replaces it still hand
 PENDING = {"k": "missing", "v": ""}
 REAL_KINDS = ("b", "i", "u", "f")  # of numpy's types
 LOGICAL = ("And", "Or")  # sympy's
+IN_PLACE = "simplify() of a Matrix changes it in place and returns nothing"
 NAMED_TYPES = {"dict": "a dict", "function": "a function", "NoneType": "None", "set": "a set"}
 
 HARMLESS_MAGICS = {
@@ -171,8 +172,7 @@ def encode(value):
     """A value as data: numbers, nested text, or the reason why it is neither."""
     if value is ...:
         return PENDING
-    if hasattr(value, "tolist") and hasattr(value, "free_symbols"):  # a sympy matrix
-        value = value.tolist()
+    value = without_matrices(value)
     if is_array_of_objects(value):  # of formulas, or of strings
         value = value.tolist()
     if isinstance(value, (set, frozenset)) and holds_text(list(value)):
@@ -181,6 +181,15 @@ def encode(value):
     if isinstance(value, str) or holds_text(value):
         return text_of(value)
     return numbers_of(value)
+
+
+def without_matrices(value):
+    """A sympy matrix, or a list of them, as nested lists."""
+    if hasattr(value, "tolist") and hasattr(value, "free_symbols"):
+        return value.tolist()
+    if isinstance(value, (list, tuple)) and len(value) <= MAX_ROWS:
+        return [without_matrices(item) for item in value]
+    return value
 
 
 def is_array_of_objects(value):
@@ -195,6 +204,8 @@ def numbers_of(value):
     """An array as data; an error where it is none."""
     import numpy as np
 
+    if value is None:
+        return failed(f"not a matrix of numbers: None; {IN_PLACE}")
     try:
         array = as_array(np, value)
     except BaseException as error:
@@ -229,32 +240,39 @@ def describe(value):
 
 def holds_text(value, depth=3):
     """Whether text or a formula is in a value; a sympy expression is read as its text."""
-    if getattr(value, "free_symbols", None):
+    if getattr(value, "free_symbols", None) or is_solution(value):
         return True
     if not isinstance(value, (list, tuple)) or depth == 0 or len(value) > MAX_ELEMENTS:
         return False
     return any(isinstance(item, str) or holds_text(item, depth - 1) for item in value)
 
 
+def is_solution(value):
+    """Whether it is what sympy's solve returns: a dict with a value for every unknown."""
+    if not isinstance(value, dict) or not value:
+        return False
+    return all(getattr(name, "free_symbols", None) for name in value)
+
+
 def text_of(value):
     """Nested text as data; an error where it is too long."""
     try:
-        return {"k": "text", "v": plain_text(value, MAX_ANSWER)}
+        return {"k": "text", "v": plain_text(value)}
     except TooLong as error:
         return failed(str(error))
 
 
-def plain_text(value, most, depth=2):
+def plain_text(value, depth=3):
     """Nested lists of strings; what is left of a formula that was cut off could be another one."""
     if isinstance(value, (list, tuple)) and depth:
         if len(value) > MAX_ROWS:
             entries = f"a list of {len(value)} entries"
             raise TooLong(f"too long: {entries}; an answer may have {MAX_ROWS}")
-        return [plain_text(item, MAX_TEXT, depth - 1) for item in value]
+        return [plain_text(item, depth - 1) for item in value]
 
     text = entry(value)
-    if len(text) > most:
-        raise TooLong(f"too long: a text of {len(text)} characters; {most} can be read here")
+    if len(text) > MAX_TEXT:
+        raise TooLong(f"too long: a text of {len(text)} characters; {MAX_TEXT} can be read here")
     return text
 
 
@@ -268,6 +286,8 @@ def entry(value):
         return f"{value.lhs} = {value.rhs}"
     if type(value).__name__ in LOGICAL and hasattr(value, "args"):
         return listing(value)
+    if is_solution(value):
+        return " and ".join([f"{name} = {entry(value[name])}" for name in value])
     if hasattr(value, "xreplace"):
         value = without_dust(value)
     return str(value)
@@ -392,9 +412,9 @@ class Functions:
         if isinstance(error, CellTimeout):
             self.slow.add(name)
         if error:
-            return failed(f"call {number} {stopped(error, seconds)}"[:MAX_TEXT])
+            return failed(f"call {number} {stopped(error, seconds)}"[:MAX_SAID])
         if result["k"] == "error":
-            return failed(f"call {number}: {result['v']}"[:MAX_TEXT])
+            return failed(f"call {number}: {result['v']}"[:MAX_SAID])
         if result["k"] == "missing":
             return failed(f"call {number} returned ...")
         return result
@@ -498,7 +518,7 @@ class Failures:
         touched = assigned_names(source)
         for name in self.names:
             if name in touched:
-                self.by_name[name] = said[:MAX_TEXT]
+                self.by_name[name] = said[:MAX_SAID]
 
     def forget(self, source):
         """Drops the errors of what a cell has now set."""

@@ -16,9 +16,9 @@ from .ask import MAX_CALLS
 Kind = Literal["num", "text", "calls", "missing", "error", "unasked"]
 MAX_ELEMENTS = 4096
 MAX_ROWS = 64  # of text, and cells in each
-MAX_TEXT = 400  # of one entry
-MAX_ANSWER = 20_000  # of one text: a matrix typed as a whole, an argument in words
-Text = Annotated[str, Field(max_length=MAX_TEXT)]
+MAX_SAID = 400  # of a sentence on how a cell or a call ended
+MAX_TEXT = 20_000  # of one text: a formula, a matrix typed as a whole, an argument in words
+Said = Annotated[str, Field(max_length=MAX_SAID)]
 UNMARKED = "the value is not one that can be marked"
 
 
@@ -43,7 +43,7 @@ class _Checked(BaseModel):
 
 
 class _Noted(_Checked):
-    note: Text = ""
+    note: Said = ""
 
 
 class _Array(_Checked):
@@ -64,22 +64,23 @@ class _Numeric(_Noted):
     v: _Array
 
 
-_Answer = Annotated[str, Field(max_length=MAX_ANSWER)]
-_Row = Annotated[list[Text], Field(max_length=MAX_ROWS)]
-_Rows = Annotated[list[Text | _Row], Field(max_length=MAX_ROWS)]
+_Text = Annotated[str, Field(max_length=MAX_TEXT)]
+_Row = Annotated[list[_Text], Field(max_length=MAX_ROWS)]
+_Matrix = Annotated[list[_Row], Field(max_length=MAX_ROWS)]
+_Rows = Annotated[list[_Text | _Row | _Matrix], Field(max_length=MAX_ROWS)]
 
 
-class _Text(_Noted):
+class _Typed(_Noted):
     k: Literal["text"]
-    v: _Answer | _Rows
+    v: _Text | _Rows
 
 
 class _Nothing(_Checked):
     k: Literal["missing", "error"]
-    v: Text
+    v: Said
 
 
-_Single = Annotated[_Numeric | _Text | _Nothing, Field(discriminator="k")]
+_Single = Annotated[_Numeric | _Typed | _Nothing, Field(discriminator="k")]
 
 
 class _Calls(_Noted):
@@ -89,7 +90,7 @@ class _Calls(_Noted):
 
 
 class _Value(_Checked):
-    value: Annotated[_Numeric | _Text | _Nothing | _Calls, Field(discriminator="k")]
+    value: Annotated[_Numeric | _Typed | _Nothing | _Calls, Field(discriminator="k")]
 
 
 def read_frame(
@@ -171,10 +172,10 @@ def _items(value: Any, most: int, depth: int = 5) -> int:
     return count
 
 
-def _single(value: _Numeric | _Text | _Nothing) -> Raw:
+def _single(value: _Numeric | _Typed | _Nothing) -> Raw:
     if isinstance(value, _Numeric):
         return Raw("num", _array(value.v), value.note)
-    if isinstance(value, _Text):
+    if isinstance(value, _Typed):
         return Raw("text", value.v, value.note)
     return Raw(value.k, value.v)
 

@@ -1,23 +1,27 @@
 """Conditions on the joints."""
 
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
 from ...exercises.answers import Conditions, Variant
 from ...exercises.kinds.formulas import names_on_sheet
-from ...solutions.condition import Condition, condition_text, equations_of
-from ...solutions.expression import ExpressionError
+from ...solutions.condition import Condition, all_of, condition_text, equations_of
+from ...solutions.expression import Expression, ExpressionError
 from ..collecting.wire import Raw
 from ..reading.arrays import flat_texts
+from ..reading.rounded import with_exact_angles
 from ..reading.typed_equations import typed_equations
 from ..reading.unreadable import Unreadable, misread
+from .domain import Domain, is_turn
 from .marker import Comparison, Marker, Wanted
 from .zero_sets import judge_conditions
 
+WHOLE = 1e-9  # degrees
 MOST_CONDITIONS = 32
 MOST_EQUATIONS = 64  # in all conditions
+MOST_NODES = 6000  # numbers, names and signs in all conditions
 
 
 def read_conditions(answer: Conditions, raw: Raw, v: Variant) -> tuple[Condition, ...]:
@@ -34,17 +38,57 @@ def read_conditions(answer: Conditions, raw: Raw, v: Variant) -> tuple[Condition
             f"takes a list of conditions in {', '.join(names)}, such as ['sin(q1) = 0'], got {got}"
         )
     texts, _ = flat_texts(raw.value)  # a file has them in a row or a column
+    angles, given = _angles(answer.domain(v)), _given(v)
     found: list[Condition] = []
     for text in texts:
         if len(found) <= MOST_CONDITIONS:
-            found += _typed(text, names)
+            for condition in _typed(text, names):
+                equations = equations_of(condition)
+                exact = [with_exact_angles(equation, angles, given) for equation in equations]
+                found.append(all_of(exact))
 
     if not 1 <= len(found) <= MOST_CONDITIONS:
         raise Unreadable(f"takes 1 to {MOST_CONDITIONS} conditions, got {len(found)}")
-    count = sum(len(equations_of(condition)) for condition in found)
-    if count > MOST_EQUATIONS:
-        raise Unreadable(f"takes up to {MOST_EQUATIONS} equations in all conditions, got {count}")
+    _refuse_too_many(found)
     return tuple(found)
+
+
+def _refuse_too_many(conditions: Sequence[Condition]) -> None:
+    equations: list[Expression] = []
+    for condition in conditions:
+        equations += equations_of(condition)
+    if len(equations) > MOST_EQUATIONS:
+        raise Unreadable(
+            f"takes up to {MOST_EQUATIONS} equations in all conditions, got {len(equations)}"
+        )
+    nodes = sum(len(equation.nodes) for equation in equations)
+    if nodes > MOST_NODES:
+        raise Unreadable(
+            f"takes up to {MOST_NODES} numbers, names and signs in all conditions, got {nodes}"
+        )
+
+
+def _angles(domain: Domain) -> set[str]:
+    """Joints that turn, as far as their ranges tell: full turns, or whole numbers of degrees."""
+    found = set[str]()
+    for joint, limits in domain.items():
+        degrees = np.degrees(limits)
+        if is_turn(limits) or np.abs(degrees - np.round(degrees)).max() < WHOLE:
+            found.add(joint)
+    return found
+
+
+def _given(v: Variant) -> list[float]:
+    """The numbers on the sheet, which are meant as they stand."""
+    found: list[float] = []
+    waiting: list[Any] = [*v.values()]
+    while waiting:
+        value = waiting.pop()
+        if isinstance(value, int | float):
+            found.append(abs(float(value)))
+        elif isinstance(value, list | tuple):
+            waiting += cast("list[Any]", value)
+    return found
 
 
 def _typed(text: str, names: Sequence[str]) -> list[Condition]:

@@ -1,12 +1,13 @@
 """Configurations: a list of rows, of which a part's own check says how many are right."""
 
+import math
 from typing import Any
 
 import numpy as np
 
 from ...exercises.answers import Configurations, Variant
 from ..collecting.wire import Raw
-from ..reading.arrays import flat_texts, quantity, refuse_infinite, typed_block
+from ..reading.arrays import flat_texts, quantity, real_numbers, refuse_infinite, typed_block
 from ..reading.unreadable import Unreadable, clip
 from .marker import Array, Comparison, Marker, Mask, Wanted
 
@@ -17,9 +18,9 @@ def read_configurations(answer: Configurations, raw: Raw, _: Variant) -> Array:
     Raises:
         Unreadable: it is of another kind or shape, or has too many rows.
     """
-    array: Array = raw.value if raw.kind == "num" else _typed_rows(raw, answer)
-    if np.iscomplexobj(array):
-        raise Unreadable("takes real numbers, got complex ones")
+    array: Array = real_numbers(raw.value) if raw.kind == "num" else _typed_rows(raw, answer)
+    if array.ndim > 2 and math.prod(array.shape[2:]) == 1:  # (8, 6, 1) is (8, 6)
+        array = array.reshape(array.shape[:2])
     if not _has_rows(array, answer.joints):
         one = f"rows of {answer.joints} numbers each"
         if answer.joints == 1:
@@ -47,7 +48,7 @@ def _typed_rows(raw: Raw, answer: Configurations) -> Array:
     if raw.kind != "text":
         raise Unreadable(f"takes numbers, got {clip(raw.kind)}")
     if isinstance(raw.value, str):
-        return typed_block(raw.value, "numbers")
+        return typed_block(raw.value, answer.joints, "numbers")
     entries, shape = flat_texts(raw.value)
     units = np.resize(np.array(answer.units), len(entries))
     values: list[float] = []

@@ -8,9 +8,10 @@ import numpy as np
 from ...exercises.answers import Formulas, Variant
 from ...exercises.kinds.formulas import names_on_sheet
 from ...solutions.expression import Expression, ExpressionError, parse
-from ...solutions.expression_array import SAME, ExpressionArray, same_formulas, sampled
+from ...solutions.expression_array import ANGLE, SAME, ExpressionArray, same_formulas, sampled
 from ..collecting.wire import Raw
-from ..reading.arrays import flat_texts, reshaped
+from ..reading.arrays import flat_texts, real_numbers, reshaped
+from ..reading.rounded import rounded_angles
 from ..reading.typed import typed
 from ..reading.typed_matrix import typed_matrix
 from ..reading.unreadable import Unreadable, clip, entry_name, misread
@@ -42,8 +43,9 @@ def read_formulas(answer: Formulas, raw: Raw, v: Variant) -> ExpressionArray:
 
 def _constants(array: Array, shape: tuple[int, ...]) -> list[Expression]:
     _refuse_other_shape(array.shape, shape)
-    if np.iscomplexobj(array) or not np.isfinite(array).all():
-        raise Unreadable("takes formulas, got numbers that are not finite and real")
+    array = real_numbers(array)
+    if not np.isfinite(array).all():
+        raise Unreadable("takes formulas, got numbers that are not finite")
     return [_constant(float(number)) for number in array.ravel()]
 
 
@@ -54,7 +56,7 @@ def _constant(number: float) -> Expression:
 
 def _typed_at_once(text: str, shape: tuple[int, ...], names: Sequence[str]) -> list[Expression]:
     """The entries of a matrix in one text, row by row."""
-    rows = _read(text, lambda text: typed_matrix(text, names))
+    rows = _read(text, lambda text: typed_matrix(text, names, shape[-1]))
     _refuse_other_shape((len(rows), len(rows[0])), shape)
     return [entry for row in rows for entry in row]
 
@@ -87,6 +89,15 @@ def _compared(answer: Formulas, v: Variant, wanted: Wanted, value: ExpressionArr
 
 def _handed_in(_: Formulas, value: ExpressionArray, __: Variant) -> Raw:
     return Raw("text", value.text())
+
+
+def _read_as(_: Formulas, __: Raw, value: ExpressionArray) -> str:
+    """The first rounded angle: formulas are compared to more digits than it has."""
+    for entry in value.entries:
+        angles = {name for name in entry.names if ANGLE.fullmatch(name)}
+        for number, exact in rounded_angles(entry, angles).items():
+            return f"Read with {number} as it stands; formulas take {exact}, not its rounded value."
+    return ""
 
 
 def _trivial(_: Formulas, wanted: Wanted, __: Variant) -> Mask:
@@ -159,6 +170,7 @@ MARKER = Marker(
     _compared,
     _handed_in,
     shown=ExpressionArray.text,
+    read_as=_read_as,
     trivial=_trivial,
     arrays=_arrays,
     has_blocks=_has_blocks,

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from ...exercises.answers import Function, Results, Variant
 from ...exercises.kinds.results import Result
 from ..collecting.wire import Raw
+from ..reading.arrays import real_numbers
 from ..reading.unreadable import UNANSWERED, Unreadable
 from .calls import accepted, agreeing, failed_calls, groups_of, said_of_groups, share_of_groups
 from .marker import Comparison, Marker, Wanted, is_trivial
@@ -53,11 +54,13 @@ def _result(raw: Raw) -> Result:
         return CALLED.sub("", str(raw.value), count=1)
     if raw.kind != "num":
         return "no matrix of numbers"
-    if np.iscomplexobj(raw.value):
+    try:
+        result = real_numbers(raw.value)
+    except Unreadable:
         return "complex numbers"
-    if not np.isfinite(raw.value).all():
+    if not np.isfinite(result).all():
         return "NaN or infinity"
-    return np.asarray(raw.value, dtype=float)
+    return np.asarray(result, dtype=float)
 
 
 def _compared(answer: Function, v: Variant, wanted: Wanted, value: Results) -> Comparison:

@@ -9,7 +9,14 @@ from numpy.typing import NDArray
 
 from ...exercises.answers import Numbers, Variant
 from ..collecting.wire import Raw
-from ..reading.arrays import flat_texts, quantity, refuse_infinite, reshaped, typed_block
+from ..reading.arrays import (
+    flat_texts,
+    quantity,
+    real_numbers,
+    refuse_infinite,
+    reshaped,
+    typed_block,
+)
 from ..reading.unreadable import Unreadable, clip, entry_name
 from .marker import Array, Asked, Marker, Mask, Named, Presentation, Wanted, is_trivial
 from .signs import said_of_exchanged, said_of_one_entry, said_of_signs
@@ -33,11 +40,9 @@ def read_numbers(answer: Numbers, raw: Raw, _: Variant) -> Array:
         Unreadable: it is of another kind or shape, or its numbers are not finite and real.
     """
     if raw.kind == "num":
-        array = np.asarray(raw.value)
+        array = real_numbers(np.asarray(raw.value))
     else:
         array = _typed_array(raw, answer.shape, answer.unit_of_entries())
-    if np.iscomplexobj(array):
-        raise Unreadable("takes real numbers, got complex ones")
     array = reshaped(array, answer.shape)
     refuse_infinite(array)
     return array
@@ -49,7 +54,7 @@ def _typed_array(raw: Raw, shape: tuple[int, ...], units: NDArray[np.str_]) -> A
     if raw.kind != "text":
         raise Unreadable(f"takes numbers of shape {shape}, got {clip(raw.kind)}")
     if isinstance(text, str) and shape:
-        return typed_block(text, f"numbers of shape {shape}")
+        return typed_block(text, shape[-1], f"numbers of shape {shape}")
     entries, found = flat_texts(text)
     reshaped(np.zeros(found), shape)  # refuses another shape
     values: list[float] = []

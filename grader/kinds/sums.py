@@ -33,13 +33,19 @@ class _SignedTree:
 
 def _zero_together(tree: _SignedTree, place: int) -> list[int]:
     """Places of nodes that are all zero where the node at `place` is."""
-    if tree.nodes[place][0] in ("+", "-") and tree.signs[place]:
-        found: list[int] = []
-        for term in _arguments(tree.nodes[place]):
-            found += _zero_together(tree, term)
-        return found
-    inner = _zero_with(tree, place)
-    return [place] if inner is None else _zero_together(tree, inner)
+    found: list[int] = []
+    waiting = [place]
+    while waiting:  # no recursion: a sum of a thousand terms is a thousand sums in one another
+        at = waiting.pop()
+        if tree.nodes[at][0] in ("+", "-") and tree.signs[at]:
+            waiting += reversed(_arguments(tree.nodes[at]))
+            continue
+        inner = _zero_with(tree, at)
+        if inner is None:
+            found.append(at)
+        else:
+            waiting.append(inner)
+    return found
 
 
 def _zero_with(tree: _SignedTree, place: int) -> int | None:

@@ -1,5 +1,6 @@
 """Denavit-Hartenberg tables: formulas in the sheet's names, or numbers at the student's own q."""
 
+import re
 from collections.abc import Iterator, Sequence
 from typing import Any, cast
 
@@ -14,7 +15,9 @@ from ...solutions.errors import KinegradeError
 from ...solutions.expression import ExpressionError
 from ...solutions.table import COLUMNS, Table, read_table
 from ..collecting.wire import Raw
+from ..reading.arrays import real_numbers, without_single_axes
 from ..reading.typed import typed
+from ..reading.typed_matrix import typed_matrix
 from ..reading.unreadable import Unreadable, clip, misread
 from .marker import Asked, Comparison, Marker, Mask, Named, Wanted, is_trivial
 from .same_arm import describes_same_arm, repairs
@@ -24,6 +27,9 @@ SAME_ARM = "Your frames stand otherwise than in the solution; your table is one 
 THETA = 0
 ANGLES = (0, 3)  # columns theta and alpha of a table
 DUST = 1e-12
+FULL_TURN = 6.3  # rad
+KINDS = "RP"  # by the column of their joint variable, theta or d
+MOVES = ("turns", "slides")
 SAME_ANGLE = 8e-3  # of a quarter turn, 0.7 degrees: two decimals of a radian are still the own q
 
 
@@ -36,9 +42,12 @@ def read_dh_table(answer: TableOf, raw: Raw, v: Variant) -> Table:
     joints = tuple(f"q{i}" for i in range(1, len(answer.kinds) + 1))
     others = [name for name in names_on_sheet(answer.names, v) if name not in joints]
     names = (*others, *joints)
-    rows = [_plain_row(row, names, i) for i, row in enumerate(_cells(raw, (len(answer.kinds), 4)))]
-    for i, (row, kind) in enumerate(zip(rows, answer.kinds, strict=True)):
-        _complete(row, "RP".index(kind), i, v)
+
+    rows: list[list[str]] = []
+    for joint, cells in enumerate(_cells(raw, (len(answer.kinds), 4), names)):
+        row = _plain_row(cells, names, joint)
+        _complete(row, answer.kinds[joint], joint, v)
+        rows.append(row)
     try:
         table = read_table(rows, names, answer.convention)
         table_numbers(table, v, posture(joints, v))
@@ -58,13 +67,13 @@ def _plain_row(row: Sequence[str], names: tuple[str, ...], joint: int) -> list[s
     return cells
 
 
-def _cells(raw: Raw, shape: tuple[int, int]) -> list[list[str]]:
+def _cells(raw: Raw, shape: tuple[int, int], names: tuple[str, ...]) -> list[list[str]]:
     """The cells as text, in rows of the asked shape."""
     if raw.kind == "num":
         return _cells_of_numbers(raw.value, shape)
     given: Any = raw.value
     if isinstance(given, str):
-        given = _typed_rows(given)
+        given = _typed_rows(given, names)
     rows = cast("list[Any]", given) if isinstance(given, list) else []
     if not rows or not all(isinstance(row, list) for row in rows):
         raise Unreadable(f"takes a list of {shape[0]} rows, got {clip(raw.value)}")
@@ -77,23 +86,21 @@ def _cells(raw: Raw, shape: tuple[int, int]) -> list[list[str]]:
 
 
 def _cells_of_numbers(array: NDArray[np.float64], shape: tuple[int, int]) -> list[list[str]]:
-    if array.shape != shape or not np.isfinite(array).all() or np.iscomplexobj(array):
+    numbers = real_numbers(array)
+    if without_single_axes(array.shape, shape) != shape or not np.isfinite(numbers).all():
         raise Unreadable(
             f"takes a table of shape {shape}: theta, d, a, alpha for each joint, got {array.shape}"
         )
-    return [list(map(_typed, row)) for row in array.tolist()]
+    return [list(map(_typed, row)) for row in numbers.reshape(shape).tolist()]
 
 
-def _typed_rows(text: str) -> list[list[str]]:
-    """A table in one string, such as "[[q1, d1, 0, pi/2], ...]", cut into cells.
-
-    What they mean is read later.
-    """
-    rows: list[list[str]] = []
-    for row in text.strip().strip("[]").replace("\n", "").split("],"):
-        cells = row.split(",")
-        rows.append([cell.strip().strip("[]").strip() for cell in cells])
-    return rows
+def _typed_rows(text: str, names: tuple[str, ...]) -> list[list[str]]:
+    """A table in one string, such as "[[q1, d1, 0, pi/2], ...]" or "[q1 d1 0 pi/2; ...]"."""
+    try:
+        rows = typed_matrix(text, names, len(COLUMNS))
+    except ExpressionError as error:
+        raise misread(error) from error
+    return [list(map(str, row)) for row in rows]
 
 
 def _cell(cell: Any) -> str:
@@ -109,26 +116,40 @@ def _typed(number: float) -> str:
     return repr(0.0 if abs(number) < DUST else number)
 
 
-def _complete(row: list[str], at: int, joint: int, v: Variant) -> None:
+def _complete(row: list[str], kind: str, joint: int, v: Variant) -> None:
     """A number where the joint variable belongs is read as the value at the student's q.
 
     In theta it may differ from q by quarter turns, the offsets that tables have; anything else is
     another q. Where the sheet gives no q, a number says nothing of the joint variable.
     """
+    at = KINDS.index(kind)
     try:
         number = float(row[at])
     except ValueError:
         return
+    variable = f"q{joint + 1}"
+    _refuse_elsewhere(variable, row, at, joint)
     if "q" not in v:
-        raise Unreadable(f"row {joint + 1}, {COLUMNS[at]}: takes q{joint + 1}, got {clip(row[at])}")
+        raise Unreadable(f"row {joint + 1}, {COLUMNS[at]}: takes {variable}, got {clip(row[at])}")
     offset = number - v["q"][joint]
     turns = offset / (np.pi / 2)
     if at == THETA and abs(turns - round(turns)) > SAME_ANGLE:
         raise Unreadable(
-            f"row {joint + 1}, theta: takes q{joint + 1}, or your value of it, got {clip(row[at])}"
+            f"row {joint + 1}, theta: takes {variable}, or your value of it, got {clip(row[at])}"
         )
     if np.isfinite(offset):
-        row[at] = f"q{joint + 1} + ({_typed(round(offset, 9))})"
+        row[at] = f"{variable} + ({_typed(round(offset, 9))})"
+
+
+def _refuse_elsewhere(variable: str, row: Sequence[str], at: int, joint: int) -> None:
+    """Raises Unreadable where the joint variable stands in another column than its own."""
+    for column, cell in zip(COLUMNS, row, strict=True):
+        if re.search(rf"\b{variable}\b", cell):
+            moves = MOVES[at]
+            raise Unreadable(
+                f"row {joint + 1}, {column}: joint {joint + 1} {moves}, "
+                f"so {variable} belongs in {COLUMNS[at]}"
+            )
 
 
 def _compared(answer: TableOf, v: Variant, wanted: Wanted, value: Table) -> Mask | Comparison:
@@ -151,6 +172,18 @@ def _right_cells(answer: TableOf, v: Variant, wanted: Wanted, value: Table) -> M
 
 def _handed_in(_: TableOf, value: Table, __: Variant) -> Raw:
     return Raw("text", table_text(value))
+
+
+def _read_as(_: TableOf, __: Raw, value: Table) -> str:
+    """The first angle that was typed in degrees and not said to be."""
+    for i, row in enumerate(value.rows, 1):
+        for column in ANGLES:
+            numbers = [float(node[1]) for node in row[column].nodes if node[0] == "n"]
+            if max(numbers, default=0.0) > FULL_TURN:
+                number = f"{max(numbers):g}"
+                place = f"row {i}, {COLUMNS[column]}"
+                return f"In {place}, {number} is read in radians; degrees are written {number}°."
+    return ""
 
 
 def _trivial(answer: TableOf, wanted: Wanted, v: Variant) -> Mask:
@@ -177,6 +210,7 @@ MARKER = Marker(
     _compared,
     _handed_in,
     shown=table_text,
+    read_as=_read_as,
     trivial=_trivial,
     varies=True,
     by_rows=True,

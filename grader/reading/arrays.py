@@ -14,6 +14,22 @@ from .typed_matrix import typed_matrix
 from .unreadable import Unreadable, clip, entry_name, misread
 
 Array = NDArray[np.float64]
+DUST = 1e-12  # what rounding leaves of an imaginary part that is zero
+
+
+def real_numbers(array: NDArray[Any]) -> Array:
+    """The array without imaginary parts, where those are zero but for rounding.
+
+    Raises:
+        Unreadable: one is not.
+    """
+    if not np.iscomplexobj(array):
+        return array
+    numbers = np.asarray(array, dtype=np.complex128)
+    real = np.asarray(numbers.real, dtype=np.float64)
+    if not (np.abs(numbers.imag) < DUST * np.fmax(1.0, np.abs(real))).all():
+        raise Unreadable("takes real numbers, got complex ones")
+    return real
 
 
 def reshaped(array: NDArray[Any], asked: tuple[int, ...]) -> Array:
@@ -32,15 +48,31 @@ def reshaped(array: NDArray[Any], asked: tuple[int, ...]) -> Array:
 def _is_written_as(shape: tuple[int, ...], asked: tuple[int, ...]) -> bool:
     """Whether a shape is another way to write the asked one.
 
-    Matrices of a stack may stand one below the other, a vector may be a row or a column, and one
-    number may stand in any brackets.
+    Matrices of a stack may stand one below the other, a matrix in blocks, a vector may be a row or
+    a column, and one number may stand in any brackets. Brackets around single entries or around all
+    of it change nothing: (6, 3, 1) is (6, 3).
     """
+    if without_single_axes(shape, asked) == asked:
+        return True
     if len(asked) == 3:
         count, rows, columns = asked
         return shape == (count * rows, columns)
+    if len(asked) == 2 and len(shape) == 3:
+        count, rows, columns = shape
+        return asked == (count * rows, columns)
     if len(asked) == 1:
         return sorted(shape) == sorted((1, *asked))
     return not asked and math.prod(shape) == 1
+
+
+def without_single_axes(shape: tuple[int, ...], asked: tuple[int, ...]) -> tuple[int, ...]:
+    """The shape without axes of length 1 that the asked one does not have."""
+    left: list[int] = []
+    for i, length in enumerate(shape):
+        superfluous = len(left) + len(shape) - i > len(asked)
+        if length != 1 or not superfluous or asked[len(left) : len(left) + 1] == (1,):
+            left.append(length)
+    return tuple(left)
 
 
 def _shape_hint(shape: tuple[int, ...], asked: tuple[int, ...]) -> str:
@@ -67,14 +99,16 @@ def refuse_infinite(array: Array) -> None:
     raise Unreadable(f"takes finite numbers, got NaN or infinity{place}")
 
 
-def typed_block(text: str, what: str) -> Array:
+def typed_block(text: str, columns: int, what: str) -> Array:
     """A whole matrix in one string, of shape (rows, columns); `what` is expected instead.
+
+    The matrices of a stack are put one below the other.
 
     Raises:
         Unreadable: it is no matrix of numbers, with a caret under the place.
     """
     try:
-        rows = typed_matrix(text, ())
+        rows = typed_matrix(text, (), columns, degrees=False)
     except ExpressionError as error:
         raise Unreadable(f"takes {what}, got text: {clip(text)}\n{error.caret}") from error
     return np.array([_values(row) for row in rows], dtype=float)

@@ -6,6 +6,7 @@ from itertools import pairwise
 
 from ...exercises.units import SPELLINGS, UNITS
 from ...solutions.tokens import ExpressionError, Token, refusing, tokens_of
+from .printed import without_assignment
 from .shorthands import WORDS
 from .typed import TYPED, typed_tokens
 
@@ -20,11 +21,11 @@ def typed_quantity(text: str) -> tuple[float, str]:
     Raises:
         ExpressionError: it is none or the unit is unknown, with the place in the text.
     """
-    with refusing(text, "a quantity"):
-        tokens = tokens_of(text, TYPED | {"°"})
+    with refusing(text, "a quantity") as seen:
+        tokens = without_assignment(tokens_of(seen, TYPED | {"°", "="}), ())
         place = len(tokens) - 1 - _unit_length(tokens)
         formula, unit = tokens[:place], tokens[place:-1]
-        _refuse_unknown_unit(formula, text)
+        _refuse_unknown_unit(formula, seen)
         factor, si = UNITS[SPELLINGS[_joined(unit) or "1"]]
 
         end = Token("end", "", tokens[place].offset)

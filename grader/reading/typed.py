@@ -5,6 +5,8 @@ from collections.abc import Collection, Sequence
 from ...solutions.expression import CALLED, Expression, expression_of
 from ...solutions.tokens import FORMULA, TRANSLATED, ExpressionError, Token, refusing, tokens_of
 from .bars import without_bars
+from .degrees import SIGN, in_radians
+from .printed import without_assignment, without_dust, without_time
 from .shorthands import RECIPROCALS, WORDS, readings
 
 TYPED = FORMULA | {"√", "|"}
@@ -17,13 +19,15 @@ def typed(text: str, names: Collection[str]) -> Expression:
 
     It is read as `parse` reads it, and in shorthands that are not themselves names: s12, c_23 and
     S1 are sines and cosines of sums of joints; theta1, th_1 and θ₁ are q1; l_1, L1 and rrt_l1 are
-    l1; np.sin, arcsin, sec, sin²(q1), √3 and |q1| are read.
+    l1; np.sin, arcsin, sec, sin²(q1), √3, |q1|, 90° and q1(t) are read. A name and "=" may stand in
+    front: det = -l1*s2.
 
     Raises:
         ExpressionError: it is none of it or may be two things, with the place in the text as typed.
     """
-    with refusing(text):
-        return typed_tokens(tokens_of(text, TYPED), names)
+    with refusing(text) as seen:
+        tokens = in_radians(tokens_of(seen, TYPED | {SIGN, "="}), names)
+        return typed_tokens(without_assignment(tokens, names), names)
 
 
 def typed_tokens(tokens: Sequence[Token], names: Collection[str]) -> Expression:
@@ -33,8 +37,9 @@ def typed_tokens(tokens: Sequence[Token], names: Collection[str]) -> Expression:
         ExpressionError: they are none; the error has a place, but not the text.
     """
     known = frozenset(names)
+    printed = without_time(without_dust(without_bars(tokens)), known)
     spelled: list[Token] = []
-    for token in without_bars(tokens):
+    for token in printed:
         spelled += _spelled(token, known)
     return expression_of(_rearranged(spelled), known)
 
@@ -58,15 +63,32 @@ def _spelled(token: Token, names: frozenset[str]) -> list[Token]:
 
 
 def _refuse_product(token: Token, names: frozenset[str]) -> None:
-    """Raises ExpressionError at the second factor of s1c23."""
+    """Raises ExpressionError at the second factor of s1c23, and at the argument of sinq2."""
     name = token.typed
     if len(name) > FACTORS:
         return
+    for cut in range(len(name) - 1, 0, -1):
+        left, right = name[:cut], name[cut:]
+        if _is_function(left, names) and _is_argument(right, names):
+            raise ExpressionError(
+                f"{left} takes its argument in brackets, as in {left}({right})", token.offset + cut
+            )
     for cut in range(1, len(name)):
         if _is_product(name[:cut], name[cut:], names):
             raise ExpressionError(
                 f"a sign such as * is missing before '{name[cut:]}'", token.offset + cut
             )
+
+
+def _is_function(name: str, names: frozenset[str]) -> bool:
+    return bool(readings(name.translate(TRANSLATED), names) & FUNCTIONS)
+
+
+def _is_argument(text: str, names: frozenset[str]) -> bool:
+    """Whether it is a number, a name, or a product of names."""
+    if text.isdigit() or readings(text.translate(TRANSLATED), names):
+        return True
+    return any(_is_product(text[:cut], text[cut:], names) for cut in range(1, len(text)))
 
 
 def _is_product(left: str, right: str, names: frozenset[str]) -> bool:

@@ -10,6 +10,7 @@ from ...solutions.condition import Condition, all_of
 from ...solutions.expression import Expression
 from ...solutions.tokens import PAIRS, ExpressionError, Token, paired, refusing, split, tokens_of
 from .bars import without_bars
+from .degrees import in_radians
 from .shorthands import WORDS
 from .typed import TYPED
 from .typed_matrix import entry_of, joined_lines, without_trailing
@@ -17,8 +18,7 @@ from .variants import is_free, plus_minus, variants
 
 EQUATIONS = 64
 TOGETHER = 8  # equations that hold at once
-LENGTH = 2000
-EQUATION = TYPED | frozenset("=±;&\n")
+EQUATION = TYPED | frozenset("=±;&\n°")
 LISTED = {"or": ";", "and": "&"}
 EITHER = "beside 'and' a comma between equations may be an 'or' or an 'and': write the word"
 
@@ -34,8 +34,9 @@ def typed_equations(text: str, names: Collection[str]) -> list[Condition]:
     Raises:
         ExpressionError: it is none of it or may be two things, with the place in the text.
     """
-    with refusing(text, "a condition"):
-        tokens = [_listing(token, names) for token in tokens_of(text, EQUATION, LENGTH)]
+    with refusing(text, "a condition") as seen:
+        tokens = in_radians(tokens_of(seen, EQUATION), names)
+        tokens = [_listing(token, names) for token in tokens]
         paired(tokens)
         tokens = without_bars(joined_lines(tokens))
         _refuse_decimal_commas(tokens)
