@@ -119,7 +119,7 @@ def test_rates_and_twist_are_judged_from_the_students_own_jacobian():
         own[name] = part_of(exercise, name).solve(v, {"puma_velocities_J": J})
     verdicts = verdicts_of("puma_velocities", own)
     assert {name: verdicts[name].status for name in own} == dict(
-        zip(own, ("partly", "correct", "correct"), strict=True)
+        zip(own, ("partly", "follows", "follows"), strict=True)
     )
     assert "follows from your own puma_velocities_J" in text_of(verdicts["puma_velocities_qdot"])
 
@@ -149,7 +149,7 @@ def test_data_of_another_student_are_not_followed_through():
     sheet = {"three_axis_p": p, "three_axis_A": A}
     alone = verdicts_of("three_axis", sheet)["three_axis_A"]
     seen = verdicts_of("three_axis", sheet, others={"neighbour": {"three_axis_p": p.tolist()}})
-    assert (alone.status, alone.points) == ("correct", part.points)
+    assert (alone.status, alone.points) == ("follows", part.points)
     assert seen["three_axis_A"].points < part.points
     private = [f.text for f in seen["three_axis_p"].findings if f.private]
     assert private == ["This is the reference answer of neighbour's variant."]
@@ -170,7 +170,7 @@ def test_a_named_mistake_is_followed_through():
     part = part_of(exercise, "three_axis_A")
     A = part.solve(v, {"three_axis_p": own["three_axis_p"], "three_axis_z": z})
     verdicts = verdicts_of("three_axis", {"three_axis_z": z, "three_axis_A": A})
-    assert verdicts["three_axis_z"].points == 0
+    assert verdicts["three_axis_z"].points == 1  # of 2, for a concept
     assert verdicts["three_axis_A"].points == part.points
 
 
@@ -375,7 +375,7 @@ def test_rates_follow_from_a_jacobian_in_the_tool_frame():
     own = {J.variable: J.mistakes[0].solve(v, {})}
     own |= {part.variable: part.solve(v, own) for part in later}
     points = {verdict.part: verdict.points for verdict in mark(exercise, v, raws(own))}
-    assert [points[name] for name in own] == [0, *(part.points for part in later)]
+    assert [points[name] for name in own] == [J.points / 2, *(part.points for part in later)]
 
 
 def test_a_wrong_value_from_a_cell_that_stopped_half_way_says_so():

@@ -2,10 +2,11 @@
 
 import numpy as np
 import pytest
-from answers import EXERCISES, part_of, variant_of
+from answers import EXERCISES, part_of, raws, variant_of
 from kinegrade.exercises.answers import TableOf
 from kinegrade.exercises.exercise import references
 from kinegrade.grader.kinds.same_arm import describes_same_arm, repairs
+from kinegrade.grader.marking.mark import mark
 from kinegrade.solutions.table import read_table
 
 RRT = EXERCISES["rrt"]
@@ -39,6 +40,10 @@ SAME = [
 ]
 
 
+def sentences(wanted, own, v=V):
+    return [named.sentence for named in repairs(ANSWER, v, wanted, own)]
+
+
 @pytest.mark.parametrize("rows", SAME, ids=str)
 def test_frames_placed_otherwise_are_right(rows):
     assert describes_same_arm(ANSWER, V, table(ROWS), table(rows))
@@ -64,19 +69,19 @@ def test_frames_placed_otherwise_are_right(rows):
 def test_one_wrong_cell_has_a_name(rows, sentence):
     wanted, own = table(ROWS), table(rows)
     assert not describes_same_arm(ANSWER, V, wanted, own)
-    assert sentence in repairs(ANSWER, V, wanted, own)
+    assert sentence in sentences(wanted, own)
 
 
 def test_the_modified_table_is_named():
     """Standard rows of a modified table: a and alpha belong to the link before the joint."""
     modified = [["q1", "d1", "0", "0"], ["q2", "d2", "a1", "-pi/2"], ["0", "q3", "0", "pi/2"]]
-    found = repairs(ANSWER, V, table(ROWS), table(modified))
+    found = sentences(table(ROWS), table(modified))
     assert found == ["This is the modified table of the arm; the standard one is asked."]
 
 
 def test_a_joint_variable_in_the_other_column_is_named():
     rows = [*ROWS[:2], ["q3", "0", "0", "0"]]
-    found = repairs(ANSWER, V, table(ROWS), table(rows))
+    found = sentences(table(ROWS), table(rows))
     assert found == ["Row 3: joint 3 slides: q3 belongs in d."]
 
 
@@ -84,14 +89,32 @@ def test_two_wrong_cells_have_no_name():
     assert repairs(ANSWER, V, table(ROWS), table(edited(d1="0.9", a1="0.1"))) == []
 
 
-def test_a_sentence_tells_no_value():
-    rng = np.random.default_rng(0)
-    for seed in range(3):
-        v = variant_of("rrt", seed)
-        wanted = references(RRT, v)["rrt_dh"]
-        rows = [[str(cell) for cell in row] for row in wanted.rows]
-        rows[0][3] = f"-({rows[0][3]})"
-        for said in repairs(DH.answer, v, wanted, table(rows)):
-            assert "pi" not in said
-            assert not any(f"{v[name]}" in said for name in ("d1", "a1", "d2", "l3") if name in v)
-    assert rng.random() < 1
+@pytest.mark.parametrize("seed", range(6))
+def test_a_table_of_the_same_arm_earns_all_and_so_do_the_parts_in_its_frames(seed):
+    v = variant_of("rrt", seed)
+    right = references(RRT, v)
+    theta, d, a, alpha = (str(cell) for cell in right["rrt_dh"].rows[1])
+    rows = [[*map(str, row)] for row in right["rrt_dh"].rows]
+    rows[1] = [f"{theta} + pi", d, a, f"-({alpha})"]
+    rows[2][0] = "pi"
+    own = table(rows)
+    answers = {**right, "rrt_dh": own}
+    answers["rrt_T"] = part_of(RRT, "rrt_T").solve(v, {"rrt_dh": own})
+    assert np.abs(answers["rrt_T"] - right["rrt_T"]).max() > 0.1
+    verdicts = {verdict.part: verdict for verdict in mark(RRT, v, raws(answers))}
+    assert verdicts["rrt_dh"].status == "correct"
+    assert "stand otherwise" in verdicts["rrt_dh"].reading
+    assert {verdict.points == verdict.out_of for verdict in verdicts.values()} == {True}
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_a_sentence_tells_no_value(seed):
+    v = variant_of("rrt", seed)
+    wanted = references(RRT, v)["rrt_dh"]
+    rows = [[str(cell) for cell in row] for row in wanted.rows]
+    rows[0][3] = f"-({rows[0][3]})"
+    found = [named.sentence for named in repairs(DH.answer, v, wanted, table(rows))]
+    assert found
+    for said in found:
+        assert "pi" not in said
+        assert not any(str(v[name]) in said for name in NAMES if name in v)

@@ -86,11 +86,13 @@ class Named:
         sentence: What the student is told.
         fault: What kind of mistake it is; None where such an answer earns nothing by itself.
         key: What is charged once though it is met again; the sentence, if empty.
+        local: Whether the same sentence in another part is another mistake, as of one wrong entry.
     """
 
     sentence: str
     fault: Fault | None = None
     key: str = ""
+    local: bool = False
 
 
 @dataclass(frozen=True)

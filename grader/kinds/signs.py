@@ -21,16 +21,16 @@ def said_of_signs(flipped: Mask, wrong: Mask) -> Iterator[Named]:
     if not few or not flipped.any() or (flipped != wrong).any():
         return
     if flipped.ndim == 0:
-        yield Named("Only a sign is wrong.", "slip")
+        yield Named("Only a sign is wrong.", "slip", local=True)
     else:
-        yield Named(f"Only a sign is wrong: {_places(flipped)}.", "slip")
+        yield Named(f"Only a sign is wrong: {_places(flipped)}.", "slip", local=True)
 
 
 def said_of_one_entry(right: Mask) -> Iterator[Named]:
     """The name where a single entry of several is wrong, whatever stands there."""
     if right.size >= LEAST_ENTRIES and (~right).sum() == 1:
         place = entries_named(~right, 1)
-        yield Named(f"Only {place} is wrong; all the rest is right.", "slip")
+        yield Named(f"Only {place} is wrong; all the rest is right.", "slip", local=True)
 
 
 def said_of_exchanged(agrees: Callable[[Array], bool], own: Array) -> Iterator[Named]:
@@ -43,7 +43,7 @@ def said_of_exchanged(agrees: Callable[[Array], bool], own: Array) -> Iterator[N
             order[i], order[j] = j, i
             exchanged = np.take(own, order, axis=axis)
             if agrees(exchanged):
-                yield Named(f"{line} {i + 1} and {j + 1} are exchanged.", "slip")
+                yield Named(f"{line} {i + 1} and {j + 1} are exchanged.", "slip", local=True)
                 return
 
 

@@ -198,7 +198,7 @@ def _found(asked: Asked, value: Table, right: Mask) -> Iterator[Named]:
         return
     faults = {repair.fault for repair in found}
     sentence = " Or: ".join(repair.sentence for repair in found)
-    yield Named(sentence, "slip" if faults == {"slip"} else "concept")
+    yield Named(sentence, "slip" if faults == {"slip"} else "concept", local=True)
 
 
 def _priced(*_: Any) -> bool:

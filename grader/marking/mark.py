@@ -203,13 +203,27 @@ def _verdict(sheet: _Sheet, part: Part, answer: Any) -> Verdict:
         why, wanted = f"from your own {_wrong(sheet, part)}: {EASIER}", None
     if wanted is not None:
         followed = _followed(sheet, part, wanted, answer)
-        if followed is not None and followed.share * part.follow > own.share:
+        if followed is not None and _is_better(part, followed, own):
+            _charge(sheet, part, followed)
             return _written_following(sheet, part, followed, answer)
     reference = key.reference[part.variable]
     if not own.names and own.share < HALF and is_unrelated(part, reference, answer):
         sheet.unfollowed[part.variable] = UNRELATED
+    _charge(sheet, part, own)
     verdict = _written(part, own, answer)
     return _with_finding(verdict, f"Nothing follows {why}.") if why else verdict
+
+
+def _charge(sheet: _Sheet, part: Part, chosen: _Judged) -> None:
+    """Writes down what the part has paid for."""
+    if chosen.names and not chosen.found.settled:
+        sheet.bill.charge(part, chosen.names[0])
+
+
+def _is_better(part: Part, followed: _Judged, own: _Judged) -> bool:
+    """Whether what follows from own answers earns more, or as much and all of it follows."""
+    earns = followed.share * part.follow
+    return earns > own.share or (followed.found.all_right and earns == own.share)
 
 
 def _judge(sheet: _Sheet, part: Part, wanted: Wanted, answer: Any) -> _Judged:

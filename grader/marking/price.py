@@ -38,12 +38,19 @@ class Bill:
     def share(self, part: Part, named: Named, value: object) -> tuple[float, str]:
         """The share of the points that a named mistake leaves, and where it was charged before.
 
-        It leaves nothing where the mistake has no price, or where the answer could be guessed. A
-        mistake is charged to the first part that asks.
+        It leaves nothing where the mistake has no price, or where the answer could be guessed.
         """
         if named.fault is None or not marker_of(part.answer).priced(part.answer, value):
             return 0.0, ""
-        before = self.charged.setdefault(named.key or named.sentence, part.variable)
-        if before != part.variable:
+        before = "" if named.local else self.charged.get(_key(named), "")
+        if before and before != part.variable:
             return 1.0, before
         return 1.0 - self.price.of(named.fault), ""
+
+    def charge(self, part: Part, named: Named) -> None:
+        """Writes down that a part's points were taken for a mistake; the first part stays."""
+        self.charged.setdefault(_key(named), part.variable)
+
+
+def _key(named: Named) -> str:
+    return named.key or named.sentence
