@@ -75,7 +75,7 @@ def test_right_answers_are_fine_in_every_mode(tmp_path, mode):
 @pytest.mark.parametrize(
     ("mode", "ok", "words"),
     [
-        ("practice", False, "incorrect"),
+        ("practice", False, "partly correct: Every sign is reversed."),
         ("graded", False, "can be read, but does not follow from your own"),
         ("exam", True, "can be read"),
     ],

@@ -79,7 +79,7 @@ def test_the_exercise_of_the_docs_is_validated_released_solved_and_marked(tmp_pa
             submitted.parent.mkdir(parents=True)
             submitted.write_bytes(fill_in(released.path.read_bytes(), code))
         results = SheetMarker(course, gradebook, sheet).results()
-    assert [result.points for result in results] == [3, 2]
+    assert [result.points for result in results] == [3, 2.5]
 
 
 def test_the_exercise_of_the_docs_gives_zeros_nothing(tmp_path):

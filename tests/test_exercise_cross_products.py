@@ -69,18 +69,18 @@ def test_axes_have_whole_lengths_and_are_no_coordinate_axes(seed):
 
 
 @pytest.mark.parametrize("name", ["cross_products_velocity", "cross_products_linear"])
-def test_a_product_in_reversed_order_is_named_and_earns_nothing(name):
+def test_a_product_in_reversed_order_is_named_and_costs_half(name):
     v = variant_of("cross_products", 0)
     verdict = verdict_of(v, name, -references(EXERCISE, v)[name])
-    assert verdict.points == 0
+    assert verdict.points == verdict.out_of / 2
     assert "order of the cross product is reversed" in verdict.findings[0].text
 
 
-def test_a_prismatic_column_that_turns_earns_nothing():
+def test_a_prismatic_column_that_turns_costs_half():
     v = variant_of("cross_products", 0)
     z = references(EXERCISE, v)["cross_products_slide"][:3]
     verdict = verdict_of(v, "cross_products_slide", np.append(z, z))
-    assert verdict.points == 0
+    assert verdict.points == verdict.out_of / 2
     assert "angular part" in verdict.findings[0].text
 
 
@@ -126,7 +126,7 @@ def test_wrong_columns_of_the_slide_are_named_alone_and_in_the_jacobian(seed):
     ]
     for column, words in wrong:
         alone = verdict_of(v, "cross_products_slide", column)
-        assert (alone.points, words in alone.findings[0].text) == (0, True)
+        assert (alone.points, words in alone.findings[0].text) == (alone.out_of / 2, True)
         J = references(EXERCISE, v)["cross_products_J"]
         J[:, slides - 1] = column
         together = verdict_of(v, "cross_products_J", J)

@@ -73,12 +73,12 @@ def test_the_arm_is_bent(seed):
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_what_the_source_prints_earns_nothing(seed):
+def test_what_the_source_prints_costs_half(seed):
     verdicts = verdicts_of(
         variant_of("planar_2r", seed),
         {"planar_2r_pose": PRINTED, "planar_2r_J_symbolic": [["0", "0"]] * 3},
     )
-    assert verdicts["planar_2r_pose"].points == 0
+    assert verdicts["planar_2r_pose"].points == verdicts["planar_2r_pose"].out_of / 2
     assert any("positive senses" in finding.text for finding in verdicts["planar_2r_pose"].findings)
     together = verdicts_of(
         variant_of("planar_2r", seed),
@@ -250,7 +250,7 @@ def test_the_jacobian_of_a_misread_arm_does_not_follow_from_the_right_transforms
         v for v in (variant_of("planar_2r", seed) for seed in SEEDS) if form_of(v)[0] == [-1, -1]
     )
     J = misread(v, (1, 1), form_of(v)[1])["planar_2r_J"]
-    assert verdicts_of(v, {"planar_2r_J": J})["planar_2r_J"].points == 0
+    assert verdicts_of(v, {"planar_2r_J": J})["planar_2r_J"].points == 1.5
 
 
 @pytest.mark.parametrize(("more", "status"), [(2, "correct"), (-4, "correct"), (1, "partly")])

@@ -127,7 +127,7 @@ def test_a_column_times_the_stroke_is_named(name):
     times = references(COLUMNS, v)[variable] * v["q"][2]
     verdicts = mark(COLUMNS, v, right_raws(COLUMNS, v) | {variable: Raw("num", times)})
     verdict = next(verdict for verdict in verdicts if verdict.part == variable)
-    assert verdict.points == 0
+    assert verdict.points == verdict.out_of / 2
     assert "stroke" in verdict.findings[0].text
 
 
@@ -163,6 +163,6 @@ def test_a_slide_that_turns_the_hand_is_named_and_the_whole_of_j_follows():
         right_raws(COLUMNS, v) | {part.variable: Raw("num", wrong), whole.variable: Raw("num", J)},
     )
     base, after = verdicts[1:3]
-    assert base.points == 0
+    assert base.points == base.out_of / 2
     assert "how fast does the hand turn" in base.findings[0].text
     assert after.points == after.out_of

@@ -100,7 +100,7 @@ def test_a_determinant_without_its_sign_or_a_factor_is_named_but_not_right():
     v = variant("a1")
     for text in ("q3*(a1 + q3*s2)", "2*q3*(a1 + q3*s2)"):
         found = verdicts(v, det=text)["det"]
-        assert found.points == 0
+        assert found.points <= found.out_of / 2
         assert any("times a constant" in finding.text for finding in found.findings)
     wrong = verdicts(v, det="q3*a1")["det"]
     assert not any("times a constant" in finding.text for finding in wrong.findings)

@@ -96,11 +96,11 @@ def test_the_way_back_and_first_order_are_told_apart_from_the_rotation_vector(se
     v = variant_of("small_rotations", seed)
     got = references(EXERCISE, v)
     back = verdict_of(v, "small_rotations_dw", -got["small_rotations_dw"])
-    assert (back.points, "R1 R2^T" in back.reading) == (0, True)
+    assert (back.points, "R1 R2^T" in back.reading) == (1.5, True)
     first = verdict_of(v, "small_rotations_dw", got["small_rotations_Bdq"])
-    assert (first.points, "This is B dq" in first.findings[0].text) == (0, True)
+    assert (first.points, "This is B dq" in first.findings[0].text) == (1.5, True)
     exact = verdict_of(v, "small_rotations_Bdq", got["small_rotations_dw"])
-    assert (exact.points, "This is dw" in exact.findings[0].text) == (0, True)
+    assert (exact.points, "This is dw" in exact.findings[0].text) == (exact.out_of / 2, True)
 
 
 @pytest.mark.parametrize("seed", SEEDS)
@@ -118,7 +118,7 @@ def test_a_missing_half_and_the_way_back_in_tool_axes_are_named(seed):
     ]
     for value, words in wrong:
         verdict = verdict_of(v, "small_rotations_dw", np.round(value, 4))
-        assert (verdict.points, words in verdict.findings[0].text) == (0, True)
+        assert (verdict.points, words in verdict.findings[0].text) == (1.5, True)
 
 
 def test_questions_end_as_questions_and_name_no_source():

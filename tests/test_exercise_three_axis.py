@@ -80,7 +80,7 @@ def test_rotation_and_error_follow_from_a_displacement_with_a_named_mistake():
         "three_axis_error": tool_point(v, q + dq) - tool_point(v, q) - v["dp"],
     }
     found = verdicts_of(v, own)
-    assert [found[name].points for name in own] == [0, 1, 2]
+    assert [found[name].points for name in own] == [1, 1, 2]
 
 
 def test_a_sheet_that_was_drawn_before_has_answers_too():

@@ -213,7 +213,7 @@ def test_a_wrong_table_of_the_rrt_arm_is_followed_through():
         given[later.variable] = later.solve(v, given)
     dh, T, J = mark(exercise, v, raws(given))[:3]
     assert dh.status == "partly"
-    assert (T.status, T.points, J.status, J.points) == ("correct", 3, "correct", 4)
+    assert (T.status, T.points, J.status, J.points) == ("follows", 3, "follows", 4)
     assert any("follows from your own rrt_dh" in finding.text for finding in T.findings)
 
 

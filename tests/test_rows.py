@@ -94,7 +94,7 @@ def test_the_script_says_the_order_of_its_exercise(rows):
 
 
 @pytest.mark.parametrize("rows", ORDERS)
-def test_the_other_order_is_named_and_earns_nothing(rows):
+def test_the_other_order_is_named_and_costs_a_quarter(rows):
     exercise, v = screw(rows), variant()
     order = SWAP if rows == "angular, linear" else [*range(6)]
     right = space_jacobian(v, {})[order]
@@ -102,7 +102,7 @@ def test_the_other_order_is_named_and_earns_nothing(rows):
     assert (found.status, found.points) == ("correct", 8)
     (found,) = mark(exercise, v, {"t_J": Raw("num", right[SWAP])})
     first, second = rows.split(", ")
-    assert (found.status, found.points) == ("incorrect", 0)
+    assert (found.status, found.points) == ("partly", 0.75 * found.out_of)
     assert [finding.text for finding in found.findings] == [
         f"The {second} rows seem to stand above the {first} ones; {first} rows come first."
     ]
