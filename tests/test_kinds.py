@@ -229,7 +229,7 @@ def test_a_scalar_is_read_with_its_unit(text):
 )
 def test_a_wrong_unit_is_named(raw, status, words):
     found = verdict(LENGTH, raw)
-    assert found.status == status
+    assert (found.status, found.points) == (status, {"failed": 0, "partly": 1.5}[status])
     assert words.lower() in said(found).lower()
 
 
@@ -266,7 +266,8 @@ TORQUES = Part(
 )
 def test_forces_and_moments_are_read_with_their_units(raw, status, words):
     found = verdict(WRENCH, raw)
-    assert found.status == status
+    points = {"correct": 6, "failed": 0, "partly": 4.5}[status]
+    assert (found.status, found.points) == (status, points)
     assert words.lower() in said(found).lower()
 
 

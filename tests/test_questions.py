@@ -156,6 +156,7 @@ def test_a_jacobian_follows_from_own_transforms_and_torques_from_an_own_jacobian
     assert np.abs(own["made_J"] - right["made_J"]).max() > 0.05
     verdicts = mark(made, v, raws(own))
     assert [verdict.status for verdict in verdicts] == ["correct", "partly", "follows", "follows"]
+    assert [verdict.points for verdict in verdicts[2:]] == [part.points for part in made.parts[2:]]
 
 
 def test_jacobians_in_other_frames_follow_from_an_own_pose_and_jacobian():
@@ -178,6 +179,7 @@ def test_jacobians_in_other_frames_follow_from_an_own_pose_and_jacobian():
         assert np.abs(own[part.variable] - right[part.variable]).max() > 0.05
     verdicts = mark(made, v, raws(own))
     assert [verdict.status for verdict in verdicts] == ["correct", "partly", "follows", "follows"]
+    assert [verdict.points for verdict in verdicts[2:]] == [part.points for part in made.parts[2:]]
 
 
 def test_a_slide_taken_for_a_turning_joint_is_named_by_its_number_where_it_is_the_only_one():

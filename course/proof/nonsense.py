@@ -1,6 +1,6 @@
 """What nobody shall get a point for.
 
-Zeros, ones, another shape, the answer transposed, one result for all inputs.
+Zeros, ones, the identity, another shape, one result for all inputs.
 """
 
 from collections.abc import Callable, Sequence
