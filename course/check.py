@@ -204,6 +204,6 @@ def _told(verdict: Verdict) -> Remark:
     told = STATUS_WORDS[verdict.status]
     if said:
         told = f"{told}: {said}"
-    # What waits for somebody else is not to be looked at again.
-    ok = verdict.status in ("correct", "not_graded")
+    # What waits for somebody else, or is right from wrong answers, has nothing to mend in it.
+    ok = verdict.status in ("correct", "follows", "not_graded")
     return Remark(verdict.part, ok, told)

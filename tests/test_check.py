@@ -422,3 +422,18 @@ def test_files_that_cannot_be_read_are_named(tmp_path):
 def test_the_sheet_as_released_says_what_it_is(bundled_course):
     handout = read_handout(bundled_course.folder / "released" / "ada" / "one.ipynb")
     assert (handout.sheet, handout.mode, tuple(handout.numbers)) == ("one", "graded", BUNDLED)
+
+
+def test_what_follows_from_a_wrong_answer_has_nothing_to_mend(tmp_path):
+    exercise, v = EXERCISES["puma_velocities"], variant_of("puma_velocities", SEED)
+    given = references(exercise, v)
+    given["puma_velocities_J"] = np.negative(given["puma_velocities_J"])
+    for part in exercise.parts:
+        if part.needs:
+            given[part.variable] = part.solve(v, given)
+    cells = [answer_code(part, given[part.variable]) for part in exercise.asked]
+    sheet = notebook("import numpy as np", *cells, about=about("practice", "puma_velocities"))
+    wrong, *later = checked(tmp_path, sheet)[1]
+    assert not wrong.ok
+    assert all(remark.ok for remark in later)
+    assert all(remark.text.startswith("right from your own answers") for remark in later)

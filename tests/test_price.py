@@ -6,7 +6,7 @@ from answers import EXERCISES, part_of, raws, variant_of
 from kinegrade.exercises.answers import Choice, Numbers
 from kinegrade.exercises.exercise import Part, references
 from kinegrade.grader.kinds.marker import Named
-from kinegrade.grader.marking.follow import is_unrelated, shared_with
+from kinegrade.grader.marking.follow import is_printed, is_unrelated, shared_with
 from kinegrade.grader.marking.mark import mark
 from kinegrade.grader.marking.misread import MOST, misread
 from kinegrade.grader.marking.price import Bill, Price
@@ -183,3 +183,14 @@ def test_a_made_up_sheet_earns_next_to_nothing(slug):
         asked = {part.variable: made[part.variable] for part in exercise.asked}
         earned.append(sum(x.points or 0 for x in mark(exercise, v, raws(asked))))
     assert np.mean(earned) < 0.05 * exercise.points
+
+
+def test_an_array_that_the_sheet_prints_is_worth_nothing_under_any_name():
+    exercise = EXERCISES["find_the_mistake"]
+    for seed in range(4):
+        v = variant_of("find_the_mistake", seed)
+        printed = np.array(v["W"])
+        assert is_printed(exercise, v, printed)
+        assert not is_printed(exercise, v, printed + 0.01)
+        verdict = verdicts_of(exercise, v, {"find_the_mistake_J": printed})["find_the_mistake_J"]
+        assert verdict.points == 0

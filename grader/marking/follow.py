@@ -6,7 +6,8 @@ from typing import Any, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from ...exercises.exercise import Numbers, Part
+from ...exercises.answers import Variant
+from ...exercises.exercise import Exercise, Numbers, Part
 from ...solutions.expression_array import ExpressionArray, sample
 
 Others = Mapping[str, Mapping[str, Any]]
@@ -100,6 +101,23 @@ def is_unrelated(part: Part, reference: Any, answer: Any) -> bool:
     apart = np.abs(own[:, None] - wanted).min(axis=1)
     close = np.minimum(SAME, NEAR * own)
     return bool((apart <= close).mean() < RELATED)
+
+
+def is_printed(exercise: Exercise, v: Variant, answer: Any) -> bool:
+    """Whether an answer of numbers is an array that the sheet prints, as it is or transposed."""
+    if not isinstance(answer, np.ndarray):
+        return False
+    answer = cast("NDArray[np.float64]", answer)
+    if different_numbers(answer) < TELLING:
+        return False
+    for name in exercise.units:
+        printed = _array(v.get(name))
+        if printed is None:
+            continue
+        for copied in (printed, printed.T):
+            if copied.shape == answer.shape and np.abs(copied - answer).max() <= SAME:
+                return True
+    return False
 
 
 def _sizes(array: Any) -> NDArray[np.float64]:

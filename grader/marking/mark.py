@@ -19,6 +19,7 @@ from .follow import (
     HANDED_IN_TOO,
     Others,
     Peers,
+    is_printed,
     is_trivial,
     is_unrelated,
     owner_of,
@@ -235,7 +236,7 @@ def _judge(sheet: _Sheet, part: Part, wanted: Wanted, answer: Any) -> _Judged:
     if not names:
         return _Judged(found, (), found.share, found.findings)
     share, before = 0.0, ""
-    if not found.settled:
+    if not found.settled and not is_printed(sheet.key.exercise, sheet.key.v, answer):
         share, before = sheet.bill.share(part, names[0], answer)
     notes = found.findings
     told = found.reading or (part.check and notes)  # the part's own check says it better
@@ -300,7 +301,11 @@ def _written_following(sheet: _Sheet, part: Part, followed: _Judged, answer: Any
         return _written(part, followed, answer, "correct" if all_right else None)
     status = "follows" if all_right and part.follow == 1 else None
     verdict = _written(part, followed, answer, status, part.follow)
-    says = "It follows" if all_right else "The entries marked right follow"
+    says = "It was compared with what follows"
+    if all_right:
+        says = "It follows"
+    elif followed.found.share:
+        says = "The entries marked right follow"
     return _with_finding(verdict, f"{says} from your own {wrong}.")
 
 
