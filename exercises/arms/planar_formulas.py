@@ -5,9 +5,12 @@ from link 1 to link 2 where q2 = 0 [quarter turns].
 """
 
 from collections.abc import Callable
+from dataclasses import replace
 from itertools import product
 
+from ...solutions.expression_array import ExpressionArray, expression_array, same_formulas
 from ..contract.printed_table import cell_latex
+from ..exercise import Outcome
 
 NAMES = ("l1", "l2", "beta", "q1", "q2")
 SENSES = ((1, -1), (-1, 1), (-1, -1), (1, 1))
@@ -56,6 +59,13 @@ ANGLES: dict[str, Callable[[int], str]] = {
     "angle2": lambda form: cell_latex(angle_formulas(form)[1]),
     "bend": lambda form: cell_latex(bend_formula(form).strip("+")),
 }  # of both links and between them, in LaTeX
+
+
+def less_source(found: Outcome, value: ExpressionArray) -> Outcome:
+    """What was found of a pose; the one that the source prints earns nothing."""
+    if same_formulas(value, expression_array(SOURCE, NAMES), NAMES).all():
+        return replace(found, share=0.0)
+    return found
 
 
 def slopes(form: int, inner: tuple[int, ...] = (), minus: int = -1) -> list[list[str]]:

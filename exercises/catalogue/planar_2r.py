@@ -24,7 +24,9 @@ from ..properties import up_to_full_turns
 @part(
     3,
     Formulas((3,), NAMES),
-    check=lambda value, pose: up_to_full_turns(value, pose, NAMES, [2]),
+    check=lambda value, pose: formulas.less_source(
+        up_to_full_turns(value, pose, NAMES, [2]), value
+    ),
     mistakes=(
         (arms.ALONE, formulas.link_2_alone),
         (arms.MOUNTING, lambda form: formulas.pose(form, "0")),
