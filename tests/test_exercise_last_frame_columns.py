@@ -132,14 +132,16 @@ def test_another_convention_and_degrees_are_named_in_both_matrices(
     found = mark(COLUMNS, v, raws)[2:]
     J_verdict, base_verdict = found
     assert J_verdict.points == J_verdict.out_of / 2
-    assert base_verdict.points == base_verdict.out_of  # charged once
-    assert word in found[0].findings[0].text
+    assert base_verdict.points == base_verdict.out_of
+    assert word in J_verdict.findings[0].text
+    said = [finding.text for finding in base_verdict.findings]
+    assert "It was charged in last_frame_columns_J already." in said
     alone = mark(
         COLUMNS,
         v,
         right_raws(COLUMNS, v) | {"last_frame_columns_base": Raw("num", turned_by(R, v))},
     )[3]
-    assert word in alone.findings[0].text
+    assert (alone.points, word in alone.findings[0].text) == (alone.out_of / 2, True)
 
 
 def turned_by(R, v):
