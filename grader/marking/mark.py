@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from ...exercises.answers import Manual, Numbers
+from ...exercises.answers import Manual
 from ...exercises.exercise import Exercise, Part, Variant
 from ..collecting.wire import Raw
 from ..kinds.marker import Comparison, Named, Wanted
@@ -20,12 +20,11 @@ from .follow import (
     Others,
     Peers,
     is_printed,
-    is_trivial,
     is_unrelated,
     owner_of,
     shared_with,
-    zeros_pass,
 )
+from .following import OwnAnswers, following
 from .judge import judged
 from .price import Bill
 from .verdict import Finding, Status, Verdict, not_graded
@@ -38,12 +37,11 @@ OUR_FAILURE = "The grader failed on this part; your answer is kept."
 OF_ANOTHER = "it is right for another student's numbers"
 SHARED = "another student has the same numbers, and yours are drawn for you alone"
 UNRELATED = "hardly any of its numbers comes out of yours"
-EASIER = "that would make this part easier than it is"
 log = logging.getLogger(__name__)
 
 
 @dataclass(frozen=True)
-class _Sheet:
+class Marked:
     """What marking one exercise of one student refers to, and what was found so far.
 
     Attributes:
@@ -51,18 +49,16 @@ class _Sheet:
         bill: What was charged for already, on the whole sheet.
         others: The reference answers of other students.
         peers: What other students handed in.
-        answers: Those that could be read.
+        own: The answers that could be read.
         verdicts: Of all parts so far.
-        unfollowed: Parts from which nothing follows, each with the reason.
     """
 
     key: AnswerKey
-    bill: Bill
-    others: Others
-    peers: Peers
-    answers: dict[str, Any] = field(default_factory=dict[str, Any])
+    bill: Bill = field(default_factory=Bill)
+    others: Others = field(default_factory=dict[str, Mapping[str, Any]])
+    peers: Peers = field(default_factory=dict[str, Mapping[str, Any]])
+    own: OwnAnswers = field(default_factory=OwnAnswers)
     verdicts: dict[str, Verdict] = field(default_factory=dict[str, Verdict])
-    unfollowed: dict[str, str] = field(default_factory=dict[str, str])
 
 
 @dataclass(frozen=True)
@@ -91,38 +87,43 @@ def mark(
     somebody in `peers` handed in, too. A `key` that was made for the same variant saves making it
     again. A `bill` that goes on from exercise to exercise charges a mistake once a sheet.
     """
-    sheet = _Sheet(key or AnswerKey(exercise, v), bill or Bill(), others or {}, peers or {})
-    for part in exercise.asked:
-        raw = raws.get(part.variable, Raw("missing"))
-        if isinstance(part.answer, Manual):
-            verdict = _by_hand(part, raw, v)
-        else:
-            verdict = _mark_raw(sheet, part, raw)
-        sheet.verdicts[part.variable] = verdict
+    sheet = Marked(key or AnswerKey(exercise, v), bill or Bill(), others or {}, peers or {})
+    mark_all(sheet, raws)
     return [
         _with_note(verdict, raws.get(name, Raw("missing")))
         for name, verdict in sheet.verdicts.items()
     ]
 
 
+def mark_all(sheet: Marked, raws: Mapping[str, Raw]) -> None:
+    """Marks every asked part, in order, since later ones follow from earlier ones."""
+    for part in sheet.key.exercise.asked:
+        raw = raws.get(part.variable, Raw("missing"))
+        if isinstance(part.answer, Manual):
+            verdict = _by_hand(part, raw, sheet.key.v)
+        else:
+            verdict = _mark_raw(sheet, part, raw)
+        sheet.verdicts[part.variable] = verdict
+
+
 def mark_part(key: AnswerKey, part: Part, raw: Raw) -> Verdict:
     """The verdict of one part by itself: nothing follows from other answers."""
-    return _mark_raw(_Sheet(key, Bill(), {}, {}), part, raw)
+    return _mark_raw(Marked(key), part, raw)
 
 
-def _mark_raw(sheet: _Sheet, part: Part, raw: Raw) -> Verdict:
+def _mark_raw(sheet: Marked, part: Part, raw: Raw) -> Verdict:
     if raw.kind == "unasked":
         return not_graded(part.variable, part.points, f"{UNASKED}{raw.value}.")
     answer, unjudged = _read(part, raw, sheet.key.v)
     if unjudged:
         return unjudged
     verdict = _mark_readable(sheet, part, answer)
-    sheet.answers[part.variable] = answer
+    sheet.own.answers[part.variable] = answer
     read_as = marker_of(part.answer).read_as(part.answer, raw, answer)
     return replace(verdict, reading=" ".join(filter(None, (read_as, verdict.reading))))
 
 
-def _mark_readable(sheet: _Sheet, part: Part, answer: Any) -> Verdict:
+def _mark_readable(sheet: Marked, part: Part, answer: Any) -> Verdict:
     """The verdict of an answer that was read, with a note for the instructor on whose it may be."""
     try:
         verdict = _verdict(sheet, part, answer)
@@ -133,13 +134,13 @@ def _mark_readable(sheet: _Sheet, part: Part, answer: Any) -> Verdict:
         return verdict
     owner = owner_of(part, answer, sheet.others)
     if owner:
-        sheet.unfollowed[part.variable] = OF_ANOTHER
+        sheet.own.unfollowed[part.variable] = OF_ANOTHER
         return _with_finding(
             verdict, f"This is the reference answer of {owner}'s variant.", private=True
         )
     peer = shared_with(part, answer, sheet.key.reference[part.variable], sheet.peers)
     if peer:
-        sheet.unfollowed[part.variable] = SHARED
+        sheet.own.unfollowed[part.variable] = SHARED
         return _with_finding(verdict, f"{peer} {HANDED_IN_TOO}", private=True)
     return verdict
 
@@ -192,30 +193,29 @@ def _unreadable(part: Part, raw: Raw, sentence: str) -> Verdict:
     return Verdict(part.variable, "failed", 0.0, part.points, (Finding(text),))
 
 
-def _verdict(sheet: _Sheet, part: Part, answer: Any) -> Verdict:
+def _verdict(sheet: Marked, part: Part, answer: Any) -> Verdict:
     """The better of two: against the reference, and against what follows from own answers."""
     key = sheet.key
     own = _judge(sheet, part, key.wanted(part), answer)
     if own.found.all_right:
         return _written(part, own, answer, "correct")
-    why = _unfollowed(sheet, part)
-    wanted = None if why else _following(sheet, part)
-    if wanted is not None and _is_easier(key, part, wanted):
-        why, wanted = f"from your own {_wrong(sheet, part)}: {EASIER}", None
-    if wanted is not None:
-        followed = _followed(sheet, part, wanted, answer)
+    follows = following(key, part, sheet.own, _wrong(sheet, part))
+    if follows.wanted is not None:
+        followed = _followed(sheet, part, follows.wanted, answer)
         if followed is not None and _is_better(part, followed, own):
             _charge(sheet, part, followed)
             return _written_following(sheet, part, followed, answer)
     reference = key.reference[part.variable]
     if not own.names and own.share < HALF and is_unrelated(part, reference, answer):
-        sheet.unfollowed[part.variable] = UNRELATED
+        sheet.own.unfollowed[part.variable] = UNRELATED
     _charge(sheet, part, own)
     verdict = _written(part, own, answer)
-    return _with_finding(verdict, f"Nothing follows {why}.") if why else verdict
+    if follows.why:
+        return _with_finding(verdict, f"Nothing follows {follows.why}.")
+    return verdict
 
 
-def _charge(sheet: _Sheet, part: Part, chosen: _Judged) -> None:
+def _charge(sheet: Marked, part: Part, chosen: _Judged) -> None:
     """Writes down what the part has paid for."""
     if chosen.names and not chosen.found.settled:
         sheet.bill.charge(part, chosen.names[0])
@@ -227,7 +227,7 @@ def _is_better(part: Part, followed: _Judged, own: _Judged) -> bool:
     return earns > own.share or (followed.found.all_right and earns == own.share)
 
 
-def _judge(sheet: _Sheet, part: Part, wanted: Wanted, answer: Any) -> _Judged:
+def _judge(sheet: Marked, part: Part, wanted: Wanted, answer: Any) -> _Judged:
     """An answer compared, explained and priced; the bill is written when the verdict is."""
     found = judged(sheet.key, part, wanted, answer)
     if found.all_right:
@@ -260,28 +260,7 @@ def _written(
     return Verdict(part.variable, status, points, part.points, notes, found.reading, right, shown)
 
 
-def _unfollowed(sheet: _Sheet, part: Part) -> str:
-    """Why nothing follows from an own answer that the part needs; empty where it may."""
-    for name in part.needs:
-        if name in sheet.unfollowed:
-            return f"from your own {name}: {sheet.unfollowed[name]}"
-    return ""
-
-
-def _following(sheet: _Sheet, part: Part) -> Wanted | None:
-    """What follows from the student's own earlier answers; None where nothing does."""
-    own = [name for name in part.needs if name in sheet.answers]
-    if not own or part.follow == 0:
-        return None
-    given = {name: sheet.answers.get(name, sheet.key.reference[name]) for name in part.needs}
-    try:
-        with np.errstate(all="ignore"):
-            return sheet.key.following(part, given)
-    except Exception:  # noqa: BLE001 - solve() on a student's data may fail in any way
-        return None
-
-
-def _followed(sheet: _Sheet, part: Part, wanted: Wanted, answer: Any) -> _Judged | None:
+def _followed(sheet: Marked, part: Part, wanted: Wanted, answer: Any) -> _Judged | None:
     try:
         with np.errstate(all="ignore"):
             return _judge(sheet, part, wanted, answer)
@@ -289,7 +268,7 @@ def _followed(sheet: _Sheet, part: Part, wanted: Wanted, answer: Any) -> _Judged
         return None
 
 
-def _written_following(sheet: _Sheet, part: Part, followed: _Judged, answer: Any) -> Verdict:
+def _written_following(sheet: Marked, part: Part, followed: _Judged, answer: Any) -> Verdict:
     """The verdict of what follows from own answers.
 
     Answers that were accepted though they differ from the reference keep the full share; wrong ones
@@ -309,17 +288,7 @@ def _written_following(sheet: _Sheet, part: Part, followed: _Judged, answer: Any
     return _with_finding(verdict, f"{says} from your own {wrong}.")
 
 
-def _wrong(sheet: _Sheet, part: Part) -> str:
+def _wrong(sheet: Marked, part: Part) -> str:
     """The own answers that the part needs and that are not right."""
-    own = [name for name in part.needs if name in sheet.answers]
+    own = sheet.own.needed(part)
     return " and ".join(name for name in own if sheet.verdicts[name].status != "correct")
-
-
-def _is_easier(key: AnswerKey, part: Part, wanted: Wanted) -> bool:
-    """Whether the student's own data made the part easier than it is."""
-    values = {**wanted.given, part.variable: wanted.value}
-    if any(is_trivial(key.reference[name], value) for name, value in values.items()):
-        return True
-    if not isinstance(part.answer, Numbers):
-        return False
-    return zeros_pass(wanted.value, wanted.allowed, key.earning(part))

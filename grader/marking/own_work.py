@@ -8,10 +8,13 @@ import numpy as np
 
 from ...exercises.exercise import Exercise, Manual, Part, Variant
 from ..collecting.wire import Raw
+from ..kinds.marker import Wanted
 from ..kinds.markers import read
 from ..reading.unreadable import Unreadable
 from .answer_key import AnswerKey
+from .following import OwnAnswers, following
 from .judge import judged
+from .mark import Marked, mark_all
 
 
 @dataclass(frozen=True)
@@ -28,11 +31,13 @@ def remarks(
 ) -> Iterator[Remark]:
     """A remark on every asked part; with `consistency`, also whether it follows from earlier ones.
 
-    The latter checks the student's J against the student's own T (S0, eq. 4.11) and uses no
-    reference answer.
+    The latter checks the student's J against the student's own T (S0, eq. 4.11). That a part
+    follows is said where marking says so, by the same function; what is right stays untold.
     """
     key = AnswerKey(exercise, v)
-    answers: dict[str, Any] = {}
+    marked = Marked(key)
+    if consistency:
+        mark_all(marked, raws)
     for part in exercise.asked:
         raw = raws.get(part.variable, Raw("missing"))
         if isinstance(part.answer, Manual):
@@ -42,14 +47,25 @@ def remarks(
             yield Remark(part.variable, ok=True, text=f"not checked: {raw.value}")
             continue
         try:
-            answers[part.variable] = read(part.answer, raw, v)
+            answer = read(part.answer, raw, v)
         except Unreadable as error:
             yield Remark(part.variable, ok=False, text=str(error))
             continue
-        if consistency and part.needs and all(need in answers for need in part.needs):
-            yield _fits(key, part, answers)
+        if _may_follow(exercise, part, marked.own):
+            yield _fits(key, part, marked.own, answer)
         else:
             yield Remark(part.variable, ok=True, text="can be read")
+
+
+def _may_follow(exercise: Exercise, part: Part, own: OwnAnswers) -> bool:
+    """Whether the part is marked from own answers, and all that it needs are there.
+
+    For one that is missing the reference would stand in, and so tell what is right.
+    """
+    if part.follow == 0:
+        return False
+    asked = {one.variable for one in exercise.asked}
+    return bool(own.needed(part)) and asked.intersection(part.needs) <= own.answers.keys()
 
 
 def _by_hand(part: Part, answer: Manual, raw: Raw, v: Variant) -> Remark:
@@ -63,13 +79,14 @@ def _by_hand(part: Part, answer: Manual, raw: Raw, v: Variant) -> Remark:
     return Remark(part.variable, ok=True, text="is there; it is marked by hand")
 
 
-def _fits(key: AnswerKey, part: Part, answers: Mapping[str, Any]) -> Remark:
-    own = {need: answers[need] for need in part.needs}
-    names = " and ".join(own)
-    try:
-        with np.errstate(all="ignore"):
-            right = judged(key, part, key.following(part, own), answers[part.variable]).all_right
-    except Exception:  # noqa: BLE001 - whatever a student's earlier answer does to solve(), nothing follows from it
+def _fits(key: AnswerKey, part: Part, own: OwnAnswers, answer: Any) -> Remark:
+    names = " and ".join(own.needed(part))
+    follows = following(key, part, own, names)
+    if follows.why:  # the reason, said here, would tell that earlier numbers are not right
+        return Remark(part.variable, ok=True, text="can be read")
+
+    right = None if follows.wanted is None else _agrees(key, part, follows.wanted, answer)
+    if right is None:
         return Remark(
             part.variable,
             ok=True,
@@ -80,3 +97,12 @@ def _fits(key: AnswerKey, part: Part, answers: Mapping[str, Any]) -> Remark:
     return Remark(
         part.variable, ok=False, text=f"can be read, but does not follow from your own {names}"
     )
+
+
+def _agrees(key: AnswerKey, part: Part, wanted: Wanted, answer: Any) -> bool | None:
+    """Whether an answer is what follows; None where a part's own check has no answer to that."""
+    try:
+        with np.errstate(all="ignore"):
+            return judged(key, part, wanted, answer).all_right
+    except Exception:  # noqa: BLE001 - it may fail in any way on what an earlier answer leads to
+        return None
