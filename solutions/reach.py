@@ -172,7 +172,7 @@ def _best_along(
 
     there = np.repeat(q[:, None], len(nodes), axis=1)
     there[..., joint] = nodes
-    weights: Values = np.linalg.solve(basis(nodes)[0], value(there).T)
+    weights = np.linalg.solve(basis(nodes)[0], value(there).T).astype(np.float64)
 
     line = _line(low, high, LINE)
     best = line[(basis(line)[0] @ weights).argmax(axis=0)]
