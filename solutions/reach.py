@@ -15,6 +15,7 @@ import numpy as np
 from .jacobian import jacobian
 from .kinematics import forward
 from .singularity import Parameters, RegionalArm, Values, arm
+from .spread import spread
 
 if TYPE_CHECKING:
     from .robots import Robot
@@ -123,21 +124,9 @@ def _distance(part: RegionalArm, of: From) -> _Distance:
     return _Distance(part, first[:3, 3], np.eye(3) - np.outer(z, z))
 
 
-def _spread(part: RegionalArm, count: int) -> Values:
-    """Configurations (count, n) that fill the joint limits evenly, the same on every machine."""
-    n = part.chain.n
-    # the additive recurrence whose base is the root of x^(n + 1) = x + 1
-    base = 1.5
-    for _ in range(50):
-        base = (1 + base) ** (1 / (n + 1))
-    shares = (0.5 + np.outer(np.arange(count), base ** -np.arange(1.0, n + 1))) % 1
-    low, high = np.transpose(part.limits)
-    return low + shares * (high - low)
-
-
 def _free(distance: _Distance) -> list[int]:
     """The joints that change the distance."""
-    q = _spread(distance.part, 64)
+    q = spread(distance.part.limits, 64)
     squared = distance.squared(q)
     found: list[int] = []
     for i in range(distance.part.chain.n):
@@ -150,7 +139,7 @@ def _free(distance: _Distance) -> list[int]:
 
 def _best(value: Callable[[Values], Values], part: RegionalArm, free: list[int]) -> float:
     """The largest value that climbs along one joint after the other come to."""
-    q = _spread(part, STARTS)
+    q = spread(part.limits, STARTS)
     for sweep in range(SWEEPS):
         if sweep == FIRST_SWEEPS:
             order = np.argsort(value(q))
@@ -231,7 +220,9 @@ def _bound(distance: _Distance, free: list[int], best: float, sign: float) -> fl
     centre = limits.mean(axis=1)[None]
     half = ((limits[:, 1] - limits[:, 0]) / 2)[None]
     levers = _levers(part, free)
-    largest = np.sqrt(max(abs(best), distance.squared(_spread(part, 64)).max())) + levers.sum()
+    largest = (
+        np.sqrt(max(abs(best), distance.squared(spread(part.limits, 64)).max())) + levers.sum()
+    )
     bends = 2 * (np.outer(levers, levers) + largest * np.minimum.outer(levers, levers))
 
     margin = ENOUGH * largest**2

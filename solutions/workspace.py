@@ -10,9 +10,10 @@ from .chain import Chain
 from .reach import reach
 from .sections.approach import configurations, in_axis_frame, projected
 from .sections.barriers import barriers
-from .sections.cells import Extent, beside_empty, filled, raster, spread
+from .sections.cells import Extent, beside_empty, filled, raster
 from .sections.sides import on_boundary
 from .singularity import Parameters, RegionalArm, Values, arm, sigma_min, task_block, zero_set
+from .spread import spread
 
 if TYPE_CHECKING:
     from .robots import Robot
@@ -87,7 +88,7 @@ def section(robot: "Robot", parameters: Parameters = None, *, cells: int = 320) 
 
 def _plane(part: RegionalArm) -> tuple[tuple[str, str], tuple[int, ...]]:
     """The coordinates of the section and the joints that change something in it."""
-    q = spread(part, 64)
+    q = spread(part.limits, 64)
     reached = in_axis_frame(part.chain, q)
     if part.chain.kinds[0] == "P" or np.ptp(reached[:, 2]) <= 1e-9 * np.abs(reached).max():
         axes, first = ("x", "y"), 0
