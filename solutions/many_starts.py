@@ -68,16 +68,20 @@ def _promising(problem: Problem, q: Array) -> tuple[Array, int]:
 
 def _step(problem: Problem, q: Array, error: Array) -> Array:
     """Damped steps (m, n) [rad, lengths of the arm], none of a joint longer than `LONGEST`."""
-    J = jacobian(problem.chain, q) * problem.units
-    J[:, :3] /= problem.length
-    J = J[:, problem.rows]
-
+    J = _jacobians(problem, q)
     size = np.square(error).sum(axis=-1)
     damping = WEIGHT * np.minimum(size, 1.0)[:, None, None] * np.eye(J.shape[1])
-    weights = np.linalg.solve(J @ J.mT + damping, error[..., None]).astype(np.float64)
-    step: Array = (J.mT @ weights)[..., 0]
+    weights: Array = np.linalg.inv(J @ J.mT + damping)
+    step: Array = np.einsum("mrn,mrs,ms->mn", J, weights, error)
     largest = np.abs(step).max(axis=-1, keepdims=True)
     return step * np.minimum(1.0, LONGEST / np.maximum(largest, LONGEST))
+
+
+def _jacobians(problem: Problem, q: Array) -> Array:
+    """The rows that count (m, rows, n) at each place (m, n), in lengths of the arm."""
+    columns = jacobian(problem.chain, q) * problem.units
+    columns[:, :3] /= problem.length
+    return columns[:, problem.rows]
 
 
 def _errors(problem: Problem, q: Array) -> Array:
