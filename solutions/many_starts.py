@@ -1,6 +1,7 @@
 """A descent from many places at once, to find a place from which one alone arrives."""
 
 import math
+from typing import cast
 
 import numpy as np
 
@@ -71,8 +72,8 @@ def _step(problem: Problem, q: Array, error: Array) -> Array:
     J = _jacobians(problem, q)
     size = np.square(error).sum(axis=-1)
     damping = WEIGHT * np.minimum(size, 1.0)[:, None, None] * np.eye(J.shape[1])
-    weights: Array = np.linalg.inv(J @ J.mT + damping)
-    step: Array = np.einsum("mrn,mrs,ms->mn", J, weights, error)
+    weights = cast("Array", np.linalg.inv(J @ J.mT + damping))
+    step = cast("Array", np.einsum("mrn,mrs,ms->mn", J, weights, error))
     largest = np.abs(step).max(axis=-1, keepdims=True)
     return step * np.minimum(1.0, LONGEST / np.maximum(largest, LONGEST))
 
