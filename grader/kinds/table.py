@@ -20,7 +20,8 @@ from ..reading.typed import typed
 from ..reading.typed_matrix import typed_matrix
 from ..reading.unreadable import Unreadable, clip, misread
 from .marker import Asked, Comparison, Marker, Mask, Named, Wanted, is_trivial
-from .same_arm import describes_same_arm, repairs
+from .repairs import repairs
+from .same_arm import describes_same_arm
 from .signs import said_of_one_entry
 
 SAME_ARM = "Your frames stand otherwise than in the solution; your table is one of the same arm."
