@@ -11,9 +11,9 @@ import numpy as np
 from ...exercises.answers import TableOf, Variant
 from ...exercises.exercise import Fault
 from ...exercises.kinds.table import table_rows
+from ...exercises.properties import turned
 from ...solutions.chain import Array
 from ...solutions.equivalence import ALL_GIVEN
-from ...solutions.gauges.gauge import wrapped
 from ...solutions.table import COLUMNS, Table
 from .marker import Named
 from .one_cell import ALPHA, THETA, A, D, poses, single_cells
@@ -74,7 +74,7 @@ def _mending(drawn: Drawn, edits: Iterable[Repair]) -> list[Repair]:
 def _alike(drawn: Drawn, one: Repair, other: Repair) -> bool:
     """Whether two edits come to the same table: a quarter turn reversed is half a turn."""
     off = np.abs(one.rows - other.rows)
-    off[:, ANGLES] = np.abs(wrapped(off[:, ANGLES]))
+    off[:, ANGLES] = np.abs(turned(off[:, ANGLES]))
     return one.convention == other.convention and bool((off <= drawn.angle).all())
 
 
@@ -188,7 +188,7 @@ def _went_wrong(column: int, own: float, needed: float) -> tuple[str, Fault]:
     if column == THETA and own == 0:
         return "lacks an offset", "concept"
     for words, fault, change in ANGLE_WAYS:
-        if abs(wrapped(change(own) - needed)) <= CLOSE:
+        if abs(turned(change(own) - needed)) <= CLOSE:
             return words, fault
     return "", "concept"
 
