@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 from itertools import pairwise, product
 from math import pi
+from typing import Any
 
 import numpy as np
 
@@ -23,7 +24,7 @@ QUARTER = pi / 2
 ANGLES = (THETA, ALPHA)
 PROBES = 3  # configurations at which tables are compared before the search says the last word
 OTHER = {"standard": "modified", "modified": "standard"}
-Change = Callable[[Array], Array]
+Change = Callable[[Any], Any]
 
 
 @dataclass(frozen=True)
@@ -130,10 +131,11 @@ def _edits(drawn: Drawn, rows: Array, own: str) -> Iterator[Repair]:
 
 
 def _other_convention(answer: TableOf, own: str) -> Named:
-    return Named(
-        f"This is the {OTHER[own]} table of the arm; the {answer.convention} one is asked.",
-        "concept",
-    )
+    """A table read in the other convention; where either will do, it is declared wrongly."""
+    this = f"This is the {OTHER[own]} table of the arm"
+    if answer.convention == "either":
+        return Named(f"{this}; beside it, you say that it is a {own} one.", "presentation")
+    return Named(f"{this}; the {answer.convention} one is asked.", "concept")
 
 
 def _exchanged(rows: Array, own: str) -> Iterator[Repair]:

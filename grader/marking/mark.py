@@ -11,7 +11,7 @@ from ...exercises.answers import Manual, Numbers
 from ...exercises.exercise import Exercise, Part, Variant
 from ..collecting.wire import Raw
 from ..kinds.marker import Comparison, Named, Wanted
-from ..kinds.markers import marker_of, read
+from ..kinds.markers import marker_of, raw_of, read
 from ..reading.unreadable import UNANSWERED, Unreadable
 from .answer_key import AnswerKey
 from .findings import named
@@ -93,7 +93,7 @@ def mark(
     """
     sheet = _Sheet(key or AnswerKey(exercise, v), bill or Bill(), others or {}, peers or {})
     for part in exercise.asked:
-        raw = raws.get(part.variable, Raw("missing"))
+        raw = raw_of(part, raws)
         if isinstance(part.answer, Manual):
             verdict = _by_hand(part, raw, v)
         else:
