@@ -1,21 +1,27 @@
 """A table is marked in the convention that its student declares, and so is all that follows from it."""
 
+import io
 import json
+from pathlib import Path
 
 import numpy as np
 import pytest
 from answers import raw
+from courses import notebook
+from kinegrade.course.sheet.submissions import Submission
 from kinegrade.exercises import questions as ask
 from kinegrade.exercises.answers import TableOf
 from kinegrade.exercises.draws import angles, length
 from kinegrade.exercises.exercise import ExerciseError, references
 from kinegrade.exercises.part import exercise
+from kinegrade.grader.collecting.ask import Limits
 from kinegrade.grader.collecting.wire import Raw
 from kinegrade.grader.kinds.markers import handed_in
 from kinegrade.grader.marking.mark import mark
 from kinegrade.solutions.equivalence import Given
 from kinegrade.solutions.robots import ROBOTS
 from kinegrade.solutions.table import read_table
+from scipy.io import savemat
 
 ROBOT = ROBOTS["rrt_offset"]
 STANDARD = [[str(cell) for cell in row] for row in ROBOT.table.rows]
@@ -172,3 +178,47 @@ def test_a_tool_frame_beside_the_last_axis_has_no_modified_table():
 )
 def test_the_sheet_says_what_is_free(answer, words):
     assert answer.asked_beside == words
+
+
+def in_notebook(values):
+    return notebook(*(f"{name} = {value!r}" for name, value in values.items()))
+
+
+def in_json(values):
+    return json.dumps(values).encode()
+
+
+def in_csv(values):
+    rows = "\n".join(",".join(row) for row in values["own_dh"])
+    return f"own_dh_convention\n{values['own_dh_convention']}\n\nown_dh\n{rows}\n".encode()
+
+
+def in_mat(values):
+    file = io.BytesIO()
+    cells = np.array(values["own_dh"], dtype=object)
+    savemat(file, {**values, "own_dh": cells})
+    return file.getvalue()
+
+
+FILES = {".ipynb": in_notebook, ".json": in_json, ".csv": in_csv, ".mat": in_mat}
+
+
+@pytest.mark.parametrize("suffix", FILES)
+@pytest.mark.parametrize("convention", ["standard", "modified"])
+def test_the_declared_convention_comes_out_of_every_kind_of_file(suffix, convention):
+    values = {"own_dh": ROWS[convention], "own_dh_convention": convention}
+    submission = Submission(Path(f"own{suffix}"), FILES[suffix](values))
+    raws = submission.raws(submission.asks(EITHER, V), Limits())
+    verdict = mark(EITHER, V, raws)[0]
+    assert (verdict.status, verdict.findings) == ("correct", ())
+    assert f"It was read as a {convention} table." in verdict.reading
+
+
+def test_the_cell_that_is_handed_out_holds_the_declaration():
+    (part, *_) = EITHER.parts
+    assert part.answer.blank("own_dh").splitlines() == [
+        'own_dh_convention = "standard"  # or "modified"',
+        "own_dh = ...  # 3 rows [theta, d, a, alpha]",
+    ]
+    code = part.answer.code("own_dh", table(MODIFIED, "modified"))
+    assert code.startswith("own_dh_convention = 'modified'\nown_dh = [")

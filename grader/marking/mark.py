@@ -29,6 +29,7 @@ from .follow import (
 from .judge import judged
 from .price import Bill
 from .verdict import Finding, Status, Verdict, not_graded
+from .vouched import is_vouched
 
 MOST_TEXT = 400  # of a sentence that repeats what a student's process said
 HALF = 0.5  # of the points: what has earned less, and has no name, may be made up
@@ -54,6 +55,7 @@ class _Sheet:
         answers: Those that could be read.
         verdicts: Of all parts so far.
         unfollowed: Parts from which nothing follows, each with the reason.
+        named: Wrong parts whose mistake has a name and a price.
     """
 
     key: AnswerKey
@@ -63,6 +65,7 @@ class _Sheet:
     answers: dict[str, Any] = field(default_factory=dict[str, Any])
     verdicts: dict[str, Verdict] = field(default_factory=dict[str, Verdict])
     unfollowed: dict[str, str] = field(default_factory=dict[str, str])
+    named: set[str] = field(default_factory=set[str])
 
 
 @dataclass(frozen=True)
@@ -204,13 +207,16 @@ def _verdict(sheet: _Sheet, part: Part, answer: Any) -> Verdict:
         why, wanted = f"from your own {_wrong(sheet, part)}: {EASIER}", None
     if wanted is not None:
         followed = _followed(sheet, part, wanted, answer)
-        if followed is not None and _is_better(part, followed, own):
+        follow = _follow(sheet, part)
+        if followed is not None and _is_better(follow, followed, own):
             _charge(sheet, part, followed)
-            return _written_following(sheet, part, followed, answer)
+            return _written_following(sheet, part, followed, answer, follow)
     reference = key.reference[part.variable]
     if not own.names and own.share < HALF and is_unrelated(part, reference, answer):
         sheet.unfollowed[part.variable] = UNRELATED
     _charge(sheet, part, own)
+    if own.names and own.names[0].fault:
+        sheet.named.add(part.variable)
     verdict = _written(part, own, answer)
     return _with_finding(verdict, f"Nothing follows {why}.") if why else verdict
 
@@ -221,9 +227,16 @@ def _charge(sheet: _Sheet, part: Part, chosen: _Judged) -> None:
         sheet.bill.charge(part, chosen.names[0])
 
 
-def _is_better(part: Part, followed: _Judged, own: _Judged) -> bool:
+def _follow(sheet: _Sheet, part: Part) -> float:
+    """The share of the points for what follows: all, where own numbers vouch for it."""
+    if is_vouched(sheet.key.exercise, part, sheet.verdicts, sheet.named):
+        return 1.0
+    return part.follow
+
+
+def _is_better(follow: float, followed: _Judged, own: _Judged) -> bool:
     """Whether what follows from own answers earns more, or as much and all of it follows."""
-    earns = followed.share * part.follow
+    earns = followed.share * follow
     return earns > own.share or (followed.found.all_right and earns == own.share)
 
 
@@ -289,7 +302,9 @@ def _followed(sheet: _Sheet, part: Part, wanted: Wanted, answer: Any) -> _Judged
         return None
 
 
-def _written_following(sheet: _Sheet, part: Part, followed: _Judged, answer: Any) -> Verdict:
+def _written_following(
+    sheet: _Sheet, part: Part, followed: _Judged, answer: Any, follow: float
+) -> Verdict:
     """The verdict of what follows from own answers.
 
     Answers that were accepted though they differ from the reference keep the full share; wrong ones
@@ -299,8 +314,8 @@ def _written_following(sheet: _Sheet, part: Part, followed: _Judged, answer: Any
     all_right = followed.found.all_right
     if not wrong:
         return _written(part, followed, answer, "correct" if all_right else None)
-    status = "follows" if all_right and part.follow == 1 else None
-    verdict = _written(part, followed, answer, status, part.follow)
+    status = "follows" if all_right and follow == 1 else None
+    verdict = _written(part, followed, answer, status, follow)
     says = "It was compared with what follows"
     if all_right:
         says = "It follows"
