@@ -8,7 +8,7 @@ import numpy as np
 from ...solutions.jacobian import in_axes
 from ...solutions.jacobian import jacobian as jacobian_of
 from ...solutions.table import Table
-from ..answers import Numbers
+from ..answers import Numbers, TableOf
 from ..arm import Arm, Array
 from ..calculations.columns import SLIPS, TOOL_AXES, Slip, all_turning, late, late_axes, right
 from ..calculations.twists import Chosen, described, jacobian_units, rows_on_sheet
@@ -109,8 +109,14 @@ def _solved(setting: Setting, asked: list[int], frame: Axes, point: Point) -> Ca
     if frame != "base" or point != "tool":
         return of_arm
     if _has_transforms(setting):
-        return of_own_frames if follows_table(setting) else of_frames
+        return of_own_frames if _chosen_convention(setting) else of_frames
     return of_table if follows_table(setting) else of_arm
+
+
+def _chosen_convention(setting: Setting) -> bool:
+    """Whether the student's table says on which axes the student's frames are."""
+    table = setting.earlier.get("dh")
+    return isinstance(table, TableOf) and table.convention == "either" and follows_table(setting)
 
 
 def _placed(T: Array, convention: str) -> Array:
