@@ -143,6 +143,11 @@ class Part:
     mistakes: tuple[Mistake, ...] = ()
     explain: Callable[[Variant, Given], Sequence[Step]] | None = None
 
+    @property
+    def beside(self) -> dict[str, str]:
+        """Variables in which a student declares something beside the answer, by what it is."""
+        return {name: f"{self.variable}_{name}" for name in self.answer.declared_beside}
+
 
 @dataclass(frozen=True, eq=False)
 class Exercise:

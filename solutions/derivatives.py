@@ -64,13 +64,9 @@ def hessian(
     """
     if isinstance(frame, str):
         check_frame(frame)
-    J = jacobian(chain, q)
+    # a point of the tool moves as the tool point does: with its own v the same holds for it
+    J = jacobian(chain, q, point=None if point is None else _coordinates(point))
     v, w = J[..., :3, :], J[..., 3:, :]
-    if point is not None:
-        J = jacobian(chain, q, point=_coordinates(point))
-        v = J[..., :3, :]
-
-    # a point of the tool moves as the tool point does: with its own v these hold for it, too
     first, second = np.triu_indices(chain.n)
     H = np.zeros((*J.shape, chain.n))
     linear = _cross(w[..., first], v[..., second])

@@ -39,7 +39,7 @@ def with_held_joint(chain: Chain, joint: int, value: float) -> Chain:
 
     Raises ChainError.
     """
-    if not isinstance(joint, int) or not 1 <= joint <= chain.n:
+    if not 1 <= joint <= chain.n:
         raise ChainError(f"joint takes a number from 1 to {chain.n}, got {joint!r}")
     if chain.n == 1:
         raise ChainError("a chain takes one joint that moves, got its only one held")
@@ -65,6 +65,6 @@ def _columns(placed: Array, kinds: str, first: int, last: int) -> Array:
 
 
 def _place(chain: Chain, name: str, frame: int) -> int:
-    if not isinstance(frame, int) or not 0 <= frame <= chain.n:
+    if not 0 <= frame <= chain.n:
         raise ChainError(f"{name} takes a number from 0 to {chain.n}, got {frame!r}")
     return frame

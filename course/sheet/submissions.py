@@ -46,7 +46,11 @@ class Submission:
         A part whose calls cannot be made has an Ask that says why; all others are asked for.
         """
         published = self.path.suffix != NOTEBOOK
-        return [_ask(part, v, published=published) for part in exercise.asked]
+        asks: list[Ask] = []
+        for part in exercise.asked:
+            asks.append(_ask(part, v, published=published))
+            asks += map(Ask, part.beside.values())
+        return asks
 
     def raws(self, asks: Sequence[Ask], limits: Limits) -> dict[str, Raw]:
         """The asked values; runs the notebook, or reads the file of matrices."""

@@ -3,7 +3,7 @@
 import json
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from itertools import islice
 from typing import Annotated, Any, Literal, Self, cast
 
@@ -30,12 +30,14 @@ class Raw:
     `listed` it is a list of results of the published calls that was handed in as such; without, a
     function was called on what was asked. `note` says how the cell that set it ended, where it did
     not end well. Kind "unasked" never comes out of a submission: it says why we could not ask.
+    `beside` is what was declared beside the answer, by the end of its name.
     """
 
     kind: Kind
     value: Any = None
     note: str = ""
     listed: bool = False
+    beside: Mapping[str, "Raw"] = field(default_factory=dict[str, "Raw"])
 
 
 class _Checked(BaseModel):

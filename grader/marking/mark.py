@@ -11,7 +11,7 @@ from ...exercises.answers import Manual
 from ...exercises.exercise import Exercise, Part, Variant
 from ..collecting.wire import Raw
 from ..kinds.marker import Comparison, Named, Wanted
-from ..kinds.markers import marker_of, read
+from ..kinds.markers import marker_of, raw_of, read
 from ..reading.unreadable import UNANSWERED, Unreadable
 from .answer_key import AnswerKey
 from .findings import named
@@ -28,6 +28,7 @@ from .following import OwnAnswers, following
 from .judge import judged
 from .price import Bill
 from .verdict import Finding, Status, Verdict, not_graded
+from .vouched import is_vouched
 
 MOST_TEXT = 400  # of a sentence that repeats what a student's process said
 HALF = 0.5  # of the points: what has earned less, and has no name, may be made up
@@ -51,6 +52,7 @@ class Marked:
         peers: What other students handed in.
         own: The answers that could be read.
         verdicts: Of all parts so far.
+        named: Wrong parts whose mistake has a name and a price.
     """
 
     key: AnswerKey
@@ -59,6 +61,7 @@ class Marked:
     peers: Peers = field(default_factory=dict[str, Mapping[str, Any]])
     own: OwnAnswers = field(default_factory=OwnAnswers)
     verdicts: dict[str, Verdict] = field(default_factory=dict[str, Verdict])
+    named: set[str] = field(default_factory=set[str])
 
 
 @dataclass(frozen=True)
@@ -98,7 +101,7 @@ def mark(
 def mark_all(sheet: Marked, raws: Mapping[str, Raw]) -> None:
     """Marks every asked part, in order, since later ones follow from earlier ones."""
     for part in sheet.key.exercise.asked:
-        raw = raws.get(part.variable, Raw("missing"))
+        raw = raw_of(part, raws)
         if isinstance(part.answer, Manual):
             verdict = _by_hand(part, raw, sheet.key.v)
         else:
@@ -202,13 +205,16 @@ def _verdict(sheet: Marked, part: Part, answer: Any) -> Verdict:
     follows = following(key, part, sheet.own, _wrong(sheet, part))
     if follows.wanted is not None:
         followed = _followed(sheet, part, follows.wanted, answer)
-        if followed is not None and _is_better(part, followed, own):
+        follow = _follow(sheet, part)
+        if followed is not None and _is_better(follow, followed, own):
             _charge(sheet, part, followed)
-            return _written_following(sheet, part, followed, answer)
+            return _written_following(sheet, part, followed, answer, follow)
     reference = key.reference[part.variable]
     if not own.names and own.share < HALF and is_unrelated(part, reference, answer):
         sheet.own.unfollowed[part.variable] = UNRELATED
     _charge(sheet, part, own)
+    if own.names and own.names[0].fault:
+        sheet.named.add(part.variable)
     verdict = _written(part, own, answer)
     if follows.why:
         return _with_finding(verdict, f"Nothing follows {follows.why}.")
@@ -221,9 +227,16 @@ def _charge(sheet: Marked, part: Part, chosen: _Judged) -> None:
         sheet.bill.charge(part, chosen.names[0])
 
 
-def _is_better(part: Part, followed: _Judged, own: _Judged) -> bool:
+def _follow(sheet: Marked, part: Part) -> float:
+    """The share of the points for what follows: all, where own numbers vouch for it."""
+    if is_vouched(sheet.key.exercise, part, sheet.verdicts, sheet.named):
+        return 1.0
+    return part.follow
+
+
+def _is_better(follow: float, followed: _Judged, own: _Judged) -> bool:
     """Whether what follows from own answers earns more, or as much and all of it follows."""
-    earns = followed.share * part.follow
+    earns = followed.share * follow
     return earns > own.share or (followed.found.all_right and earns == own.share)
 
 
@@ -268,7 +281,9 @@ def _followed(sheet: Marked, part: Part, wanted: Wanted, answer: Any) -> _Judged
         return None
 
 
-def _written_following(sheet: Marked, part: Part, followed: _Judged, answer: Any) -> Verdict:
+def _written_following(
+    sheet: Marked, part: Part, followed: _Judged, answer: Any, follow: float
+) -> Verdict:
     """The verdict of what follows from own answers.
 
     Answers that were accepted though they differ from the reference keep the full share; wrong ones
@@ -278,8 +293,8 @@ def _written_following(sheet: Marked, part: Part, followed: _Judged, answer: Any
     all_right = followed.found.all_right
     if not wrong:
         return _written(part, followed, answer, "correct" if all_right else None)
-    status = "follows" if all_right and part.follow == 1 else None
-    verdict = _written(part, followed, answer, status, part.follow)
+    status = "follows" if all_right and follow == 1 else None
+    verdict = _written(part, followed, answer, status, follow)
     says = "It was compared with what follows"
     if all_right:
         says = "It follows"

@@ -9,7 +9,7 @@ import numpy as np
 from ...exercises.exercise import Exercise, Manual, Part, Variant
 from ..collecting.wire import Raw
 from ..kinds.marker import Wanted
-from ..kinds.markers import read
+from ..kinds.markers import raw_of, read
 from ..reading.unreadable import Unreadable
 from .answer_key import AnswerKey
 from .following import OwnAnswers, following
@@ -39,7 +39,7 @@ def remarks(
     if consistency:
         mark_all(marked, raws)
     for part in exercise.asked:
-        raw = raws.get(part.variable, Raw("missing"))
+        raw = raw_of(part, raws)
         if isinstance(part.answer, Manual):
             yield _by_hand(part, part.answer, raw, v)
             continue
