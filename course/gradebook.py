@@ -60,7 +60,7 @@ class Gradebook:
         self._damages = Damages()
         try:
             open_ledger(self._database)
-        except CourseError:
+        except BaseException:
             self.close()
             raise
 

@@ -18,9 +18,8 @@ class Damages:
 
     def add(self, sheet: str, student: str, what: str, mended: str) -> None:
         """Notes what of a student's sheet is damaged, and how it is mended; the first is told."""
-        sentence = (
-            f"{what} of {student} in the gradebook cannot be read: a row is damaged; {mended}"
-        )
+        damage = "a row of the gradebook is damaged"
+        sentence = f"{what} of {student} cannot be read: {damage}; {mended}"
         self._found.setdefault((sheet, student), sentence)
 
     def of(self, sheet: str) -> dict[str, str]:

@@ -30,12 +30,12 @@ def history(connection: Connection, student: str, sheet: str) -> list[Event]:
         told += tell(connection, student, sheet)
     told.sort(key=_number)
 
-    numbers = {number for number, _ in told}
+    numbers = {entry_number for entry_number, _ in told}
     rows = connection.execute(select(entry).where(entry.c.id.in_(numbers))).mappings()
     entries = {row["id"]: row for row in rows}
     events: list[Event] = []
-    for number, what in told:
-        row = entries[number]
+    for entry_number, what in told:
+        row = entries[entry_number]
         events.append(Event(row["at"], row["author"], what, row["reason"]))
     return events
 
