@@ -15,6 +15,7 @@ import typer
 from ..solutions.errors import KinegradeError
 from .complaints import debugging, one_of_each
 from .console import progress, say
+from .gradebook_command import book
 from .marks_command import marks
 from .options import CourseOption, GradebookOption, JsonOption, SheetArguments, opened
 
@@ -29,6 +30,7 @@ app = typer.Typer(
     context_settings={"help_option_names": ["-h", "--help"]},
 )
 app.add_typer(marks, name="marks")
+app.add_typer(book, name="gradebook")
 STOPPED = 130  # what typer makes of Ctrl-C
 TOLD = {
     "practice": "Practice sheet: everything is told but the reference values.",

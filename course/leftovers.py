@@ -27,10 +27,11 @@ def cleared(folder: Path) -> Generator[None]:
         return
     handle = os.open(folder, os.O_RDONLY)
     try:
-        with suppress(BlockingIOError):
+        with suppress(OSError):  # another is at work, or the file system knows no locks
             fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
             _clear(folder)
-        fcntl.flock(handle, fcntl.LOCK_SH)
+        with suppress(OSError):
+            fcntl.flock(handle, fcntl.LOCK_SH)
         yield
     finally:
         os.close(handle)

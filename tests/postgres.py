@@ -98,7 +98,19 @@ def running():
             "--auth-local=trust", "--auth-host=scram-sha-256", f"--pwfile={folder / 'password'}",
         )  # fmt: skip
         options = f"-p {port} -k {folder} -c listen_addresses=127.0.0.1 -c fsync=off"
-        call(pg_ctl, "-D", data, "-w", "-l", folder / "server.log", "-o", options, "start")
+        call(
+            pg_ctl,
+            "-D",
+            data,
+            "-w",
+            "-t",
+            "180",
+            "-l",
+            folder / "server.log",
+            "-o",
+            options,
+            "start",
+        )
         try:
             yield Server(folder, port)
         finally:

@@ -298,6 +298,9 @@ def test_parts_whose_reference_moved_wait_until_the_change_is_accepted(folder):
     assert statuses(accepted)[1] in ("partly", "incorrect")
     assert graded(folder)["ada"] == accepted
     assert before["ada"].points == 5
+    with Gradebook(folder / "gradebook.sqlite") as gradebook:
+        told = {event.what: event.reason for event in gradebook.history("ada", "one")}
+    assert told["other reference answers of lever accepted"] == "grade --accept-change"
 
 
 def test_parts_wait_that_moved_though_no_exercise_was_edited(folder, monkeypatch):

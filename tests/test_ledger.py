@@ -15,6 +15,7 @@ from kinegrade.course.gradebook import Gradebook, GradeKey, Mark
 from kinegrade.course.grading import SheetMarker, recorded_results
 from kinegrade.course.ledger import database
 from kinegrade.course.ledger.address import address, shown, without_password
+from kinegrade.course.ledger.entries import user
 from kinegrade.course.ledger.tables import LEDGER, VERSION
 from kinegrade.course.sheets import generate
 from kinegrade.course.variant import Record
@@ -67,7 +68,9 @@ def test_all_of_the_first_format_is_taken_over(first_format):
         earlier = GradeKey(
             "ben", "one", "c6753701cce23439206a3508423c6557", "ba90330a9f7c36bc9bc72f1c00a3e3fc"
         )
-        (finding,) = gradebook.verdicts(earlier)[1].findings
+        verdicts = gradebook.verdicts(earlier)
+        assert verdicts is not None
+        (finding,) = verdicts[1].findings
         assert finding.text.startswith(
             "Takes numbers of shape (2,), got text: what\ufffd is 'this' Ø"
         )
@@ -223,6 +226,7 @@ def test_bytes_that_are_no_text_cost_one_student(tmp_path):
         "UPDATE verdict SET mask = 'yes'",
         "UPDATE verdict SET status = 'Correct'",
         "UPDATE verdict SET points = 'full'",
+        "UPDATE verdict SET points = 'inf'",
         "UPDATE verdict SET out_of = ''",
     ],
 )
@@ -348,3 +352,12 @@ def test_a_password_in_the_settings_is_refused_and_not_repeated(tmp_path, kinegr
         assert ran.code == 1
         assert "gradebook.url" in ran.err
         assert "hush" not in ran.err
+
+
+def test_who_has_no_name_on_this_machine_is_unknown(monkeypatch):
+    for variable in ("LOGNAME", "USER", "LNAME", "USERNAME"):
+        monkeypatch.delenv(variable, raising=False)
+    monkeypatch.setattr("os.getuid", lambda: 4_000_000)
+    assert user() == "unknown"
+    monkeypatch.setenv("LOGNAME", "ina")
+    assert user() == "ina"

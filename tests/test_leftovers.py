@@ -1,5 +1,6 @@
 """What a killed run leaves is cleared away by the next, unless another kinegrade may still need it."""
 
+import errno
 import os
 import subprocess
 import sys
@@ -64,6 +65,7 @@ def test_nothing_is_cleared_while_another_is_at_work(folder, end):
         [sys.executable, "-c", HOLDING, folder],
         stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True,
     ) as other:  # fmt: skip
+        assert other.stdout is not None
         assert other.stdout.readline() == "in\n"
         for name in OURS:
             (folder / name).touch()
@@ -79,3 +81,15 @@ def test_a_folder_that_is_not_there_is_named(tmp_path):
     with pytest.raises(FileNotFoundError) as raised, cleared(tmp_path / "nowhere"):
         pass
     assert os.fspath(raised.value.filename) == str(tmp_path / "nowhere")
+
+
+def test_where_the_file_system_knows_no_locks_nothing_is_cleared_and_all_goes_on(
+    folder, monkeypatch
+):
+    monkeypatch.setattr("fcntl.flock", no_locks)
+    with cleared(folder):
+        assert there(folder, OURS) == [*OURS]
+
+
+def no_locks(*_):
+    raise OSError(errno.ENOLCK, os.strerror(errno.ENOLCK))

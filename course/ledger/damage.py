@@ -2,6 +2,7 @@
 
 import json
 from collections.abc import Callable
+from math import isfinite
 from typing import Any
 
 
@@ -40,7 +41,7 @@ def loaded(text: Any, kind: type | None = None) -> Any:
     return _tried(json.loads, text, kind)
 
 
-def number(cell: Any) -> float | None:
+def as_number(cell: Any) -> float | None:
     """A number, or none; SQLite keeps any text in a column of numbers.
 
     Raises:
@@ -48,7 +49,10 @@ def number(cell: Any) -> float | None:
     """
     if cell is None:
         return None
-    return _tried(float, cell, float)
+    found = _tried(float, cell, float)
+    if not isfinite(found):
+        raise DamagedError
+    return found
 
 
 def _tried(read: Callable[[Any], Any], cell: Any, kind: type | None) -> Any:

@@ -8,7 +8,7 @@ from typing import Any
 from sqlalchemy import ColumnElement, Connection, RowMapping, Select, Table, func, select
 
 from ...grader.marking.verdict import STATUS_WORDS, Finding, Verdict
-from .damage import DamagedError, loaded, number, plain
+from .damage import DamagedError, as_number, loaded, plain
 from .entries import Change, enter
 from .tables import counted, finding, grade, submission, verdict
 
@@ -60,21 +60,21 @@ def save(
     _count(connection, key, entry, entry)
 
 
-def let_count(connection: Connection, key: GradeKey, number_of: int, change: Change) -> None:
+def let_count(connection: Connection, key: GradeKey, number: int, change: Change) -> None:
     """A grade counts from now on; where it already does, nothing is written."""
-    if not counts(connection, key, number_of):
-        _count(connection, key, number_of, enter(connection, change))
+    if not counts(connection, key, number):
+        _count(connection, key, number, enter(connection, change))
 
 
-def counts(connection: Connection, key: GradeKey, number_of: int) -> bool:
+def counts(connection: Connection, key: GradeKey, number: int) -> bool:
     """Whether a grade is the one that counts for the student's sheet."""
     same = _same(counted, {"student": key.student, "sheet": key.sheet})
     query = select(counted.c.grade).where(*same).order_by(counted.c.entry.desc()).limit(1)
-    return connection.scalar(query) == number_of
+    return connection.scalar(query) == number
 
 
-def _count(connection: Connection, key: GradeKey, number_of: int, entry: int) -> None:
-    row = {"entry": entry, "student": key.student, "sheet": key.sheet, "grade": number_of}
+def _count(connection: Connection, key: GradeKey, number: int, entry: int) -> None:
+    row = {"entry": entry, "student": key.student, "sheet": key.sheet, "grade": number}
     connection.execute(counted.insert().values(**row))
 
 
@@ -93,9 +93,9 @@ def verdicts_that_count(connection: Connection, sheet: str) -> dict[int, list[Ve
     return _read(connection, numbers)
 
 
-def verdicts_of(connection: Connection, number_of: int) -> list[Verdict] | None:
+def verdicts_of(connection: Connection, number: int) -> list[Verdict] | None:
     """The verdicts of one grade; None where they are damaged."""
-    return _read(connection, [number_of]).get(number_of, [])
+    return _read(connection, [number]).get(number, [])
 
 
 def _last(sheet: str) -> "Select[Any]":
@@ -132,13 +132,13 @@ def _rows(
 
 
 def _verdict(row: RowMapping, findings: Iterable[Finding]) -> Verdict:
-    out_of = number(row["out_of"])
+    out_of = as_number(row["out_of"])
     if row["status"] not in STATUS_WORDS or out_of is None:
         raise DamagedError
     return Verdict(
         part=row["part"],
         status=row["status"],
-        points=number(row["points"]),
+        points=as_number(row["points"]),
         out_of=out_of,
         findings=tuple(findings),
         reading=row["reading"],
@@ -164,18 +164,18 @@ def _to_rows(verdicts: Iterable[Verdict]) -> tuple[Rows, Rows]:
                 "answer": json.dumps(one.answer),
             }
         )
-        for number_of, sentence in enumerate(one.findings):
-            row = {"place": place, "number": number_of}
+        for number, sentence in enumerate(one.findings):
+            row = {"place": place, "number": number}
             text = {"text": plain(sentence.text), "private": sentence.private}
             found.append({**row, **text})
     return judged, found
 
 
-def _says(connection: Connection, number_of: int, judged: Rows, found: Rows) -> bool:
+def _says(connection: Connection, number: int, judged: Rows, found: Rows) -> bool:
     """Whether a grade that is there has these rows and no others."""
     for table, rows in ((verdict, judged), (finding, found)):
-        there = [dict(row) for row in _rows(connection, table, [number_of])]
-        if there != [{"grade": number_of, **row} for row in rows]:
+        there = [dict(row) for row in _rows(connection, table, [number])]
+        if there != [{"grade": number, **row} for row in rows]:
             return False
     return True
 

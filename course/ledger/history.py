@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from sqlalchemy import Connection, RowMapping, Table, select
 
-from .damage import DamagedError, number
+from .damage import DamagedError, as_number
 from .tables import counted, entry, grade, mark, record, reference, submission, verdict
 
 SHORT = 8  # characters of a hash
@@ -81,8 +81,8 @@ def _points(connection: Connection, grade_number: int) -> str:
     waiting = 0
     for points, out_of in connection.execute(query):
         try:
-            most += number(out_of) or 0
-            got += number(points) or 0
+            most += as_number(out_of) or 0
+            got += as_number(points) or 0
         except DamagedError:
             return "damaged"
         waiting += points is None

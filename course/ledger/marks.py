@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from sqlalchemy import Connection, RowMapping, select
 
-from .damage import DamagedError, Damages, number, plain
+from .damage import DamagedError, Damages, as_number, plain
 from .entries import Change, enter
 from .tables import mark
 
@@ -56,7 +56,7 @@ def that_count(connection: Connection, sheet: str, damages: Damages) -> dict[tup
     marks: dict[tuple[str, str], Mark] = {}
     for (student, part), row in last.items():
         try:
-            points = number(row["points"])
+            points = as_number(row["points"])
         except DamagedError:
             damages.add(sheet, student, f"the mark of {part}", "`kinegrade marks set` enters it")
             continue
