@@ -65,6 +65,12 @@ class MarkingTable(_Strict):
     concept: Annotated[float, Field(ge=0, le=1)] = 0.5
 
 
+class GradebookTable(_Strict):
+    """Where the gradebook lies, unless it is the file in the course folder."""
+
+    url: Annotated[str, Field(pattern="^postgresql://")] | None = None
+
+
 class Settings(_Strict):
     """All of course.toml."""
 
@@ -74,6 +80,7 @@ class Settings(_Strict):
     sheet: Annotated[tuple[Sheet, ...], Field(min_length=1)]
     limits: LimitsTable = LimitsTable()
     marking: MarkingTable = MarkingTable()
+    gradebook: GradebookTable = GradebookTable()
 
 
 @dataclass(frozen=True)
@@ -190,8 +197,8 @@ def _sentence(complaint: Any) -> str:
 
 
 def _shown(where: tuple[Any, ...], value: Any) -> str:
-    """What was found; never the secret."""
-    if "secret" in where:
+    """What was found; never the secret, nor a URL, which may hold a password."""
+    if "secret" in where or "url" in where:
         return "something else"
     return repr(value)[:60]
 
@@ -202,6 +209,7 @@ def _valid_keys(tables: Sequence[Any]) -> list[str]:
         "sheet": Sheet,
         "limits": LimitsTable,
         "marking": MarkingTable,
+        "gradebook": GradebookTable,
     }
     table: type[BaseModel] = Settings
     if tables:

@@ -10,7 +10,7 @@ from ..exercises.exercise import Numbers, Part, references
 from .config import Course, CourseError, Sheet, read_course
 from .console import progress
 from .files import write_atomically
-from .gradebook import Gradebook
+from .gradebook import Gradebook, gradebook_of
 from .habits import HABITS, Answers, Code, Habit, Spoil
 from .marking import mark_sheets, show
 from .marks import by_hand, enter
@@ -45,7 +45,7 @@ def run_demo(folder: Path) -> None:
     """
     _prepare(folder)
     course = read_course(folder)
-    with Gradebook(folder / "gradebook.sqlite") as gradebook:
+    with gradebook_of(course) as gradebook:
         with progress("Writing sheets", len(course.students) * len(SHEETS)) as step:
             generate(course, gradebook, course.settings.sheet, step)
         for sheet in course.settings.sheet:

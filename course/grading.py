@@ -90,13 +90,14 @@ class SheetMarker:
         self._handed_out = HandedOut(
             gradebook, sheet.name, self.exercises, accept_change=accept_change
         )
+        self._damaged = gradebook.damaged(sheet.name)
         self._refuse_a_lost_gradebook()
 
     def _refuse_a_lost_gradebook(self) -> None:
         released = self.course.folder.glob(f"released/*/{self.sheet.name}.ipynb")
-        if self._handed_out.nothing and any(released):
+        if self._handed_out.nothing and not self._damaged and any(released):
             raise CourseError(
-                f"{self.course.folder / 'gradebook.sqlite'} knows nothing of sheet "
+                f"{self.gradebook.place} knows nothing of sheet "
                 f"{self.sheet.name}, though it was released; put the backup back, or run "
                 "`kinegrade generate`, which draws the same numbers from the same secret"
             )
@@ -113,6 +114,7 @@ class SheetMarker:
             else:
                 todo.append(found)
 
+        self.gradebook.see([work.key for work in todo])
         came_in: dict[str, _Raws] = {}
         with closing(self._collected(todo)) as collected:  # also when Ctrl-C comes between two
             for work, raws in collected:
@@ -158,6 +160,8 @@ class SheetMarker:
 
     def _work(self, student: Student) -> Result | _Work:
         """What marking the student's submission takes, or the reason why it cannot be marked."""
+        if student.id in self._damaged:
+            return self._waits(student, self._damaged[student.id])
         try:
             submission = find_submission(self.course.folder, student.id, self.sheet.name)
         except CourseError as error:

@@ -36,12 +36,14 @@ def recorded_results(course: Course, gradebook: Gradebook, sheet: Sheet) -> list
     """What the gradebook holds for every student of the roster; no submission is looked at."""
     current = gradebook.current(sheet.name)
     marks = gradebook.marks(sheet.name)
+    damaged = gradebook.damaged(sheet.name)
     parts = asked_parts(exercises_of(course, sheet))
 
     results: list[Result] = []
     for student in course.students:
-        if student.id not in current:
-            results.append(Result(student, sheet.name, reason="nothing marked yet"))
+        if student.id in damaged or student.id not in current:
+            reason = damaged.get(student.id, "nothing marked yet")
+            results.append(Result(student, sheet.name, reason=reason))
             continue
         verdicts = with_marks(current[student.id], student.id, marks, parts)
         results.append(Result(student, sheet.name, verdicts))

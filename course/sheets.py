@@ -1,7 +1,7 @@
 """Handing out: what is not drawn yet is drawn, what is released is never touched again."""
 
 from collections import defaultdict
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -11,8 +11,9 @@ from ..exercises.exercise import Exercise, Part
 from ..exercises.files.finding import exercise_files, find
 from .check import read_handout
 from .config import Course, CourseError, Sheet, Student, hint
+from .console import say
 from .files import write_atomically
-from .gradebook import Gradebook
+from .gradebook import Gradebook, OvertakenError
 from .secret import read_secret
 from .sheet.matlab import starter
 from .sheet.notebook import notebooks, printed
@@ -89,22 +90,38 @@ def generate(
 ) -> list[Released]:
     """A notebook, a solution and, where asked, a MATLAB script for every student on every sheet.
 
-    `step` is called after each.
+    `step` is called after each. A student whose records are damaged is named and left out.
     """
     done: list[Released] = []
     secret = cache(lambda: read_secret(course))  # not asked for where all is drawn
     for sheet in sheets:
         exercises = exercises_of(course, sheet)
-        draws = _Draws(secret, sheet, exercises, gradebook.records(sheet.name))
+        draws = _Draws(secret, sheet, exercises, gradebook)
         for student in course.students:
-            fresh = draws.complete(student)
-            records = draws.of(student)
-            if fresh:
-                _agree(_released(course, sheet, student), exercises, records)
-                gradebook.save_records(fresh)
-            done.append(_release(course, sheet, student, exercises, records))
+            damage = draws.damaged.get(student.id)
+            if damage is not None:
+                say(f"{student.id}, sheet {sheet.name}: {damage}")
+            else:
+                records = _recorded(draws, student, _released(course, sheet, student))
+                done.append(_release(course, sheet, student, exercises, records))
             step()
     return done
+
+
+def _recorded(draws: "_Draws", student: Student, path: Path) -> list[Record]:
+    """A student's records, drawn and saved where they were not."""
+    while True:
+        fresh = draws.complete(student)
+        records = draws.of(student)
+        if not fresh:
+            return records
+        _agree(path, draws.exercises, records)
+        try:
+            draws.gradebook.save_records(fresh)
+        except OvertakenError:  # what another kinegrade drew in the meantime holds
+            draws.read()
+        else:
+            return records
 
 
 class _Draws:
@@ -114,16 +131,22 @@ class _Draws:
         self,
         secret: Callable[[], str],
         sheet: Sheet,
-        exercises: Sequence[Exercise],
-        recorded: Iterable[Record],
+        exercises: list[Exercise],
+        gradebook: Gradebook,
     ) -> None:
         self._secret = secret
         self._sheet = sheet
-        self._exercises = exercises
+        self.exercises = exercises
+        self.gradebook = gradebook
+        self.read()
+
+    def read(self) -> None:
+        """Takes what the gradebook holds by now, and forgets what was drawn and not saved."""
         self._records: dict[tuple[str, str], Record] = {}
         self._taken: defaultdict[str, set[str]] = defaultdict(set)  # numbers as `canonical` text
-        for record in recorded:
+        for record in self.gradebook.records(self._sheet.name):
             self._add(record)
+        self.damaged = self.gradebook.damaged(self._sheet.name)
 
     def _add(self, record: Record) -> None:
         self._records[record.student, record.exercise] = record
@@ -131,12 +154,12 @@ class _Draws:
 
     def of(self, student: Student) -> list[Record]:
         """A student's records in the order of the exercises."""
-        return [self._records[student.id, exercise.slug] for exercise in self._exercises]
+        return [self._records[student.id, exercise.slug] for exercise in self.exercises]
 
     def complete(self, student: Student) -> list[Record]:
         """Draws what was not drawn for the student before, and returns that."""
         fresh: list[Record] = []
-        for exercise in self._exercises:
+        for exercise in self.exercises:
             slug = exercise.slug
             if (student.id, slug) in self._records:
                 continue

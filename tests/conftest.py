@@ -2,6 +2,7 @@
 
 import os
 
+import postgres
 import pytest
 from answers import EXERCISES, SLUGS
 from courses import BUNDLED, Kinegrade, handed_out, make_course
@@ -11,7 +12,8 @@ settings.register_profile(
     "steady", derandomize=True
 )  # the same examples every time: red means a change of ours
 settings.load_profile("steady")
-os.environ.pop("KINEGRADE_SECRET", None)  # whoever runs the tests may have a course
+for variable in ("KINEGRADE_SECRET", "KINEGRADE_GRADEBOOK"):
+    os.environ.pop(variable, None)  # whoever runs the tests may have a course
 
 
 @pytest.fixture(params=SLUGS)
@@ -31,6 +33,21 @@ def bundled_course(tmp_path_factory):
 def class_of_three(tmp_path):
     """A course of three students with a drawn sheet of the exercise `lever`."""
     return handed_out(make_course(tmp_path / "course"))
+
+
+@pytest.fixture(scope="session")
+def postgres_server():
+    """A PostgreSQL server; skips with a sentence where none is installed."""
+    with postgres.running() as server:
+        yield server
+
+
+@pytest.fixture(params=["sqlite", "postgresql"])
+def place(request, tmp_path):
+    """Where a new gradebook may lie, on both databases."""
+    if request.param == "sqlite":
+        return tmp_path / "gradebook.sqlite"
+    return request.getfixturevalue("postgres_server").database()
 
 
 @pytest.fixture

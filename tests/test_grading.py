@@ -25,13 +25,13 @@ from test_grading import graded
 left = [int(sys.argv[2])]
 @event.listens_for(Engine, "before_cursor_execute")
 def count(connection, cursor, statement, *rest):
-    if statement.startswith(("INSERT INTO grade", "INSERT INTO current")):
+    if statement.startswith(("INSERT INTO grade", "INSERT INTO counted")):
         if left[0] == 0:
             os.kill(os.getpid(), signal.SIGKILL)  # between the two, the transaction is half done
         left[0] -= 1
 graded(Path(sys.argv[1]))
 """
-COUNTS = ("SELECT count(*) FROM grade", "SELECT count(*) FROM current")
+COUNTS = ("SELECT count(*) FROM grade", "SELECT count(*) FROM counted")
 
 
 def graded(folder, *, accept_change=False):
@@ -215,7 +215,7 @@ def test_two_runs_give_the_same_results(folder):
     put(folder, "ada", {"lever_p": [9.0, 9.0]})
     first = graded(folder)
     with sqlite3.connect(folder / "gradebook.sqlite") as connection:
-        connection.executescript("DELETE FROM grade; DELETE FROM current;")
+        connection.executescript("DELETE FROM counted; DELETE FROM grade;")
     connection.close()
     assert graded(folder) == first
 
@@ -298,6 +298,9 @@ def test_parts_whose_reference_moved_wait_until_the_change_is_accepted(folder):
     assert statuses(accepted)[1] in ("partly", "incorrect")
     assert graded(folder)["ada"] == accepted
     assert before["ada"].points == 5
+    with Gradebook(folder / "gradebook.sqlite") as gradebook:
+        told = {event.what: event.reason for event in gradebook.history("ada", "one")}
+    assert told["other reference answers of lever accepted"] == "grade --accept-change"
 
 
 def test_parts_wait_that_moved_though_no_exercise_was_edited(folder, monkeypatch):

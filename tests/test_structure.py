@@ -55,8 +55,11 @@ ROOMS = {
     "course/ground": ENGINE,
     "course/sheet": ENGINE
     | {"course/ground", "exercises", "exercises/kinds", "grader/collecting", "grader/figures"},
+    "course/ledger": ENGINE | {"course/ground", "grader/marking"},
+    "course/ledger/migrations": set(),
+    "course/ledger/migrations/versions": set(),
     "course": ENGINE
-    | {"course/ground", "course/sheet", "exercises", "exercises/files"}
+    | {"course/ground", "course/sheet", "course/ledger", "exercises", "exercises/files"}
     | {"grader/collecting", "grader/reading", "grader/marking", "grader/figures"},
     "course/proof": ENGINE
     | {"course", "course/ground", "course/sheet", "exercises", "exercises/files"}
@@ -88,6 +91,7 @@ HEAVY = (
     "sympy",
     "matplotlib",
     "sqlalchemy",
+    "alembic",
     "IPython",
     "typst",
     "nbformat",
@@ -274,7 +278,8 @@ def test_grading_loads_no_sympy_and_no_figures():
     found = loaded(
         "import kinegrade.course.grading, kinegrade.course.sheet.submissions, kinegrade.course.tables"
     )
-    assert sorted({"sympy", "matplotlib", "typst", "IPython", "scipy"} & found) == []
+    heavy = {"sympy", "matplotlib", "typst", "IPython", "scipy", "alembic", "psycopg"}
+    assert sorted(heavy & found) == []
 
 
 def written():
