@@ -10,7 +10,7 @@ import math
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from keyword import iskeyword
-from typing import Any, Literal, cast, get_args
+from typing import TYPE_CHECKING, Any, Literal, cast, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -31,6 +31,9 @@ from .answers import (
 )
 from .drawing import Drawing
 from .units import UnitError, refuse_unknown_unit
+
+if TYPE_CHECKING:
+    from .arm import Arm
 
 __all__ = [
     "Answer",
@@ -155,8 +158,9 @@ class Exercise:
     secret and can be pinned for a whole class. `symbols` are the LaTeX of printed names that are
     more than letters and an index. `scale(v)` is a typical length [m] that linear tolerances are
     measured against. `named` are the names of which every one is drawn for some student. `robot`
-    names a robot of the catalogue whose map stands in the report. `rows` is the order of rows in
-    every Jacobian and twist of the exercise: what the sheet says of it and what findings say follow
+    names a robot of the catalogue whose map stands in the report; `arm(v)` is the robot as one
+    student has it, from which known mistakes of any arm are computed. `rows` is the order of rows
+    in every Jacobian and twist of the exercise: what the sheet says of it and findings say follow
     it; `solve` and the units of an answer stand in that order themselves.
     """
 
@@ -175,6 +179,7 @@ class Exercise:
     structure: tuple[str, ...] = ()
     robot: str | None = None
     drawings: Callable[[Variant], tuple[Drawing, ...]] = field(default=lambda _: ())
+    arm: Callable[[Variant], "Arm"] | None = None
     rows: Rows = "linear, angular"
     named: tuple[str, ...] = ()
 

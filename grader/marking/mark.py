@@ -54,6 +54,7 @@ class _Sheet:
         answers: Those that could be read.
         verdicts: Of all parts so far.
         unfollowed: Parts from which nothing follows, each with the reason.
+        suspected: The known mistakes of any arm that may explain each part.
     """
 
     key: AnswerKey
@@ -63,6 +64,7 @@ class _Sheet:
     answers: dict[str, Any] = field(default_factory=dict[str, Any])
     verdicts: dict[str, Verdict] = field(default_factory=dict[str, Verdict])
     unfollowed: dict[str, str] = field(default_factory=dict[str, str])
+    suspected: dict[str, frozenset[str]] = field(default_factory=dict[str, frozenset[str]])
 
 
 @dataclass(frozen=True)
@@ -219,6 +221,8 @@ def _charge(sheet: _Sheet, part: Part, chosen: _Judged) -> None:
     """Writes down what the part has paid for."""
     if chosen.names and not chosen.found.settled:
         sheet.bill.charge(part, chosen.names[0])
+    for name in chosen.names[:1]:
+        sheet.suspected[part.variable] = name.titles
 
 
 def _is_better(part: Part, followed: _Judged, own: _Judged) -> bool:
@@ -232,7 +236,8 @@ def _judge(sheet: _Sheet, part: Part, wanted: Wanted, answer: Any) -> _Judged:
     found = judged(sheet.key, part, wanted, answer)
     if found.all_right:
         return _Judged(found, (), 1.0, ())
-    names = tuple(named(sheet.key, part, wanted, answer, found.right))
+    suspected = sheet.suspected.values()
+    names = tuple(named(sheet.key, part, wanted, answer, found.right, suspected))
     if not names:
         return _Judged(found, (), found.share, found.findings)
     share, before = 0.0, ""
