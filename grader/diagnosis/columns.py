@@ -6,7 +6,6 @@ from . import known_columns as known
 from .mistake import Mistake
 from .steps import Steps
 from .switches import (
-    BASE_POINT,
     LINEAR_IN_TOOL_AXES,
     NEXT_FRAME,
     ORIGIN,
@@ -43,7 +42,6 @@ def in_columns(steps: Steps) -> Iterator[Mistake]:
     yield from _in_indices(steps)
     yield known.OWN_LINK.of(Edit("lever_end", "set", NEXT_FRAME))
     yield known.FROM_BASE.of(Edit("lever_from_base", "set", value=True))
-    yield known.TO_BASE.of(Edit("lever_end", "set", BASE_POINT))
     yield known.REVERSED.of(Edit("cross", "set", -1.0))
     yield known.MIDDLE.of(Edit("middle", "set", -1.0))
     yield known.NO_TURN.of(Edit("angular", "set", 0.0))
@@ -59,8 +57,10 @@ def _in_indices(steps: Steps) -> Iterator[Mistake]:
     late, early = {"by": 1}, {"by": -1}
     if steps.convention == "standard":
         yield known.LATE.of(*_shifts("axis_shift", "origin_shift", **late))
+        yield known.LATE_AXES.of(*_shifts("axis_shift", **late))
+    else:
+        yield known.NEXT_AXES.of(*_shifts("axis_shift", **late), at=at)
     yield known.EARLY_FRAME.of(*_shifts("axis_shift", "origin_shift", **early), at=at)
-    yield known.LATE_AXES.of(*_shifts("axis_shift", **late), at=at)
     yield known.EARLY_AXES.of(*_shifts("axis_shift", **early), at=at)
     yield known.LATE_ORIGINS.of(*_shifts("origin_shift", **late))
     yield known.EARLY_ORIGINS.of(*_shifts("origin_shift", **early))

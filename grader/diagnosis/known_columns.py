@@ -57,7 +57,9 @@ EARLY_FRAME = Known(
     prior=0.1,
     topic="Joints",
 )
-LATE_AXES = Known(
+LATE_AXES = Known("axis one late", columns.LATE_AXES, "the axes are those of the next frame",
+                  "concept", "columns", topic="Joints")  # fmt: skip
+NEXT_AXES = Known(
     "axis one late",
     "The axes seem to be those of the next frame; the axis of joint i is z of frame {at}.",
     "the axes are those of the next frame",
@@ -125,14 +127,6 @@ OWN_LINK = Known("lever to the next frame", columns.OWN_LINK, "the levers end at
                  "concept", "columns")  # fmt: skip
 FROM_BASE = Known("lever from the base", columns.FROM_BASE, "the levers begin at the base",
                   "concept", "columns")  # fmt: skip
-TO_BASE = Known(
-    "lever to the base",
-    "The lever arms seem to end at the base; where does the point lie whose velocity is asked?",
-    "the levers end at the base",
-    "concept",
-    "columns",
-    prior=0.05,
-)
 REVERSED = Known("order of the cross product", columns.REVERSED, "the cross products are reversed",
                  "concept", "columns")  # fmt: skip
 REVERSED_COLUMN = Known(
@@ -223,7 +217,7 @@ IN_BASE = Known(
     topic="Frames",
 )
 HALF_IN_TOOL = Known(
-    "linear rows in tool axes",
+    "tool axes: linear rows alone",
     "Only the linear rows seem to be turned into the axes of the tool.",
     "the linear rows alone are in the axes of the tool",
     "convention",

@@ -59,7 +59,7 @@ class Mistake:
 class Known:
     """A known mistake of any arm, before it is put into the words of one row or column.
 
-    `{...}` in its texts are filled in.
+    `{...}` in its texts are filled in; its family is what stands before a colon in its title.
     """
 
     title: str
@@ -72,9 +72,9 @@ class Known:
 
     def of(self, *edits: Edit, less_likely: float = 0.0, **names: object) -> Mistake:
         """The mistake in this place."""
-        family = self.title.partition(":")[0].format(**names)
+        family = self.title.partition(":")[0]
         place = ", ".join(str(name) for name in names.values())
-        title = f"{family}: {place}" if place else family
+        title = f"{self.title}: {place}" if place else self.title
         return Mistake(
             title,
             family,

@@ -13,7 +13,6 @@ from ...solutions.chain import elementary
 from ...solutions.errors import KinegradeError
 from .steps import Array, Steps
 from .switches import (
-    BASE_POINT,
     LINEAR_IN_TOOL_AXES,
     NEXT_FRAME,
     ORIGIN,
@@ -167,7 +166,6 @@ def _levers(steps: Steps, switches: Switches, solved: Solved) -> Array:
     following = np.zeros_like(switches.axis_shift) + 1
     after = _taken(solved.frames, _places(steps, following, solved.frames))[..., :3, 3]
     ends = np.where((switches.lever_end == NEXT_FRAME)[:, None, None], after, ends)
-    ends = np.where((switches.lever_end == BASE_POINT)[:, None, None], 0.0, ends)
     starts = np.where(switches.lever_from_base[:, None, None], origins[:, :1], solved.origins)
     return ends - starts
 

@@ -14,7 +14,7 @@ How = Literal["set", "scale", "add", "exchange"]
 AXIS_Z = 2  # the column of a rotation that is a joint's axis
 
 SUM_AS_PRODUCT, SUM_AS_SUM = 1, 2  # c23 taken for c2 c3, for c2 + c3
-NEXT_FRAME, BASE_POINT = 1, 2  # where levers end
+NEXT_FRAME = 1  # where levers end
 TOOL_AXES, LINEAR_IN_TOOL_AXES = 1, 2
 ORIGIN = 1  # the point of the tool body at the base origin
 ZYZ_RATES, RPY_RATES = 1, 2
