@@ -5,6 +5,7 @@ import json
 import numpy as np
 import pytest
 from answers import EXERCISES, part_of, raws, variant_of
+from kinegrade.exercises.calculations import columns
 from kinegrade.exercises.exercise import references
 from kinegrade.grader.diagnosis.pipeline import Solved
 from kinegrade.grader.marking import arm_mistakes
@@ -200,3 +201,19 @@ def test_a_neighbours_answer_has_no_name(variable):
         assert key.of_arm(part, key.wanted(part)) is not None
         verdict = verdict_of(key, {variable: other.reference[variable]}, variable)
         assert not told(verdict), json.dumps(key.v)
+
+
+@pytest.mark.parametrize(
+    ("variable", "way", "sentence"),
+    [
+        ("puma_velocities_J", columns.tool_axes, columns.TOOL_AXES),
+        ("puma_velocities_J", columns.late, columns.LATE),
+        ("inverse_velocities_J", columns.tool_axes, columns.TOOL_AXES),
+    ],
+)
+@pytest.mark.parametrize("seed", range(20))
+def test_what_an_exercise_need_not_know_is_named_on_every_draw(variable, way, sentence, seed):
+    key = key_of(variable, seed)
+    arm = key.exercise.arm(key.v)
+    verdict = verdict_of(key, {variable: way(arm.frames, arm.kinds)}, variable)
+    assert told(verdict) == sentence
