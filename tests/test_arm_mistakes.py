@@ -193,7 +193,9 @@ def test_a_failure_of_ours_leaves_the_answer_without_a_name(monkeypatch, caplog)
     assert "known mistakes of any arm fail for puma_velocities_J" in caplog.text
 
 
-@pytest.mark.parametrize("variable", ["puma_velocities_J", "rrt_T", "three_axis_A", "frames_J"])
+@pytest.mark.parametrize(
+    "variable", ["puma_velocities_J", "rrt_T", "three_axis_A", "three_axis_z", "frames_J"]
+)
 def test_a_neighbours_answer_has_no_name(variable):
     for seed in range(12):
         key, other = key_of(variable, seed), key_of(variable, seed + 50)

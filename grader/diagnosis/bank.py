@@ -14,7 +14,7 @@ from .switches import Switches, as_it_is, edit
 from .views import Setting, View, find_view
 
 Rules = tuple[Mistake, ...]
-LIKELY = 0.12  # prior up to which a mistake is thought of beside another one
+LIKELY = 0.1  # prior below which a mistake is thought of beside another one
 LEAST_JOINTS = 3  # of an arm, for two mistakes to be told from others
 NOTHING: Rules = ()
 

@@ -1,6 +1,7 @@
 """A known mistake: which switch is set otherwise, what kind it is, and what the student is told."""
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Literal
 
 from ...exercises.exercise import Fault
@@ -43,7 +44,7 @@ class Mistake:
         """What it is priced as: conventions are learned as concepts are."""
         return "concept" if self.kind == "convention" else self.kind
 
-    @property
+    @cached_property
     def slots(self) -> frozenset[str]:
         """What it touches; two mistakes that touch the same are no pair."""
         found: set[str] = set()

@@ -18,6 +18,9 @@ from .views import View
 
 CIRCLE = 0.02  # by which c^2 + s^2 may miss 1, with rounded entries
 LEAST_LENGTH, LEAST_ANGLE = 3, 4  # entries that have to follow from the one value
+LEAST_NUMBERS = 3  # that an answer depends on: of one alone, anybody's is one for another value
+LEAST_ENTRIES = 4  # of an answer
+FAR = 10.0  # tolerances by which some entry is off: another number is no inaccuracy
 TURNS = (0.0, np.pi / 2, np.pi)
 OTHER_LENGTH = Known(
     "another length",
@@ -52,6 +55,11 @@ class Line:
     mistake: Mistake
     direction: Array
 
+    @property
+    def moves(self) -> bool:
+        """Whether the number changes the answer."""
+        return bool(np.abs(self.direction).max(initial=0.0) > SIZE)
+
 
 @dataclass(frozen=True, eq=False)
 class Circle:
@@ -62,6 +70,11 @@ class Circle:
     cosine: Array
     sine: Array
 
+    @property
+    def moves(self) -> bool:
+        """Whether the angle changes the answer."""
+        return bool(max(np.abs(self.cosine).max(), np.abs(self.sine).max()) > SIZE)
+
 
 class OtherNumbers:
     """The lines and circles of one part's answers."""
@@ -69,12 +82,16 @@ class OtherNumbers:
     def __init__(self, steps: Steps, view: View, reference: Array) -> None:
         """Takes the arm, what of it is asked, and the right answer."""
         self.reference = reference.ravel()
-        self.lines = [*_lines(steps, view, self.reference)]
-        self.circles = [*_circles(steps, view, self.reference)]
+        self.lines = [line for line in _lines(steps, view, self.reference) if line.moves]
+        self.circles = [circle for circle in _circles(steps, view, self.reference) if circle.moves]
 
     def fitting(self, value: Array, allowed: Array) -> Iterator[Mistake]:
         """Those on which an answer lies."""
         value, allowed = value.ravel(), allowed.ravel()
+        if len(self.lines) + len(self.circles) < LEAST_NUMBERS or value.size < LEAST_ENTRIES:
+            return
+        if (np.abs(value - self.reference) <= FAR * allowed).all():
+            return
         for line in self.lines:
             if _is_on_line(line, value - self.reference, allowed):
                 yield line.mistake
@@ -121,8 +138,6 @@ def _circles(steps: Steps, view: View, reference: Array) -> Iterator[Circle]:
 
 def _is_on_line(line: Line, off: Array, allowed: Array) -> bool:
     square = float(line.direction @ line.direction)
-    if square < SIZE:
-        return False
     moved = line.direction * float(line.direction @ off) / square
     shows = np.abs(moved) > allowed
     return bool(shows.sum() >= LEAST_LENGTH and (np.abs(off - moved) <= allowed).all())

@@ -218,7 +218,7 @@ def _verdict(sheet: _Sheet, part: Part, answer: Any) -> Verdict:
 
 
 def _charge(sheet: _Sheet, part: Part, chosen: _Judged) -> None:
-    """Writes down what the part has paid for."""
+    """Writes down what the part has paid for, and which mistake of its arm it may be."""
     if chosen.names and not chosen.found.settled:
         sheet.bill.charge(part, chosen.names[0])
     for name in chosen.names[:1]:
