@@ -10,7 +10,7 @@ import math
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from keyword import iskeyword
-from typing import TYPE_CHECKING, Any, Literal, cast, get_args
+from typing import Any, Literal, cast, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -31,9 +31,6 @@ from .answers import (
 )
 from .drawing import Drawing
 from .units import UnitError, refuse_unknown_unit
-
-if TYPE_CHECKING:
-    from .arm import Arm
 
 __all__ = [
     "Answer",
@@ -179,7 +176,7 @@ class Exercise:
     structure: tuple[str, ...] = ()
     robot: str | None = None
     drawings: Callable[[Variant], tuple[Drawing, ...]] = field(default=lambda _: ())
-    arm: Callable[[Variant], "Arm"] | None = None
+    arm: Callable[[Variant], Any] | None = None
     rows: Rows = "linear, angular"
     named: tuple[str, ...] = ()
 

@@ -1,6 +1,7 @@
 """Known mistakes of any arm in marking: which parts they are known for, what they cost, in which order."""
 
 import json
+from typing import Any
 
 import numpy as np
 import pytest
@@ -56,7 +57,7 @@ def exercise_of(variable):
     return next(x for slug, x in EXERCISES.items() if variable.startswith(f"{slug}_"))
 
 
-def of_arm(key, variable):
+def of_arm(key, variable) -> Any:
     part = part_of(key.exercise, variable)
     return key.of_arm(part, key.wanted(part))
 

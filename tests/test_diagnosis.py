@@ -2,6 +2,7 @@
 
 import re
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -62,7 +63,7 @@ def test_a_known_mistake_is_never_explained_by_another_one(name, what, decimals)
             if not off > SHOWS[decimals]:  # nor is it where it is not a number
                 continue
             value = answer if decimals is None else np.round(answer, decimals)
-            told = explained(known, seen(value), DECIMALS)
+            told: Any = explained(known, seen(value), DECIMALS)
             assert told is not None, mistake.title
             allowed = ALLOWED if decimals != 2 else 5.1e-3
             assert told.titles <= same_answers(known, value, allowed), mistake.title
@@ -105,7 +106,7 @@ def test_the_right_answer_at_two_decimals_has_no_name():
 def test_another_value_of_a_length_is_named_and_not_told(name):
     arm = arm_of("puma560", np.random.default_rng(2))
     other = Arm(arm.robot, {**arm.lengths, name: arm.lengths[name] + 0.17}, arm.q)
-    told = explained(known_of(arm, "J"), seen(other.J), DECIMALS)
+    told: Any = explained(known_of(arm, "J"), seen(other.J), DECIMALS)
     assert told.sentence == f"It fits another value of {name}; all else agrees."
     assert told.fault == "slip"
 
@@ -113,7 +114,7 @@ def test_another_value_of_a_length_is_named_and_not_told(name):
 def test_a_forgotten_length_is_said_to_be_forgotten():
     arm = arm_of("puma560", np.random.default_rng(2))
     without = Arm(arm.robot, {**arm.lengths, "a2": 0.0}, arm.q)
-    told = explained(known_of(arm, "J"), seen(without.J), DECIMALS)
+    told: Any = explained(known_of(arm, "J"), seen(without.J), DECIMALS)
     assert told.sentence == "It fits a2 = 0: that number seems to be forgotten."
     assert told.fault == "concept"
 
@@ -124,14 +125,14 @@ def test_another_angle_is_named_and_not_told(joint, what):
     arm = arm_of("puma560", np.random.default_rng(3))
     q = arm.q.copy()
     q[joint - 1] += 0.4
-    told = explained(known_of(arm, what), seen(getattr(arm.at(q), what)), DECIMALS)
+    told: Any = explained(known_of(arm, what), seen(getattr(arm.at(q), what)), DECIMALS)
     assert told.sentence == f"It fits another angle of joint {joint}; all else agrees."
 
 
 def test_another_stroke_is_named():
     arm = arm_of("stanford", np.random.default_rng(3))
     q = arm.q + np.array([0, 0, 0.2, 0, 0, 0])
-    told = explained(known_of(arm, "J"), seen(arm.at(q).J), DECIMALS)
+    told: Any = explained(known_of(arm, "J"), seen(arm.at(q).J), DECIMALS)
     assert told.sentence == "It fits another stroke of joint 3; all else agrees."
 
 
@@ -142,7 +143,7 @@ def test_two_mistakes_are_a_hint_without_a_price():
     titles = [{one.title, other.title} for one, other in rules]
     place = titles.index({"sign of alpha: 1", "lever from the base"})
     assert explained(known, seen(answers[place]), DECIMALS) is None
-    told = hinted(known, seen(answers[place]), DECIMALS)
+    told: Any = hinted(known, seen(answers[place]), DECIMALS)
     assert told.fault is None
     assert told.sentence == (
         "It is consistent with two mistakes: alpha of row 1 has the other sign; and the levers "
@@ -162,7 +163,7 @@ def test_one_mistake_and_one_wrong_entry_are_a_hint():
     titles = [mistake.title for (mistake,) in rules]
     value = answers[titles.index("sign of alpha: 1")].copy()
     value[1, 3] += 0.3
-    told = hinted(known, seen(value), DECIMALS)
+    told: Any = hinted(known, seen(value), DECIMALS)
     assert told.sentence.startswith("But for row 2, column 4 it fits one mistake. Row 1: alpha")
     assert told.fault is None
 
@@ -172,9 +173,9 @@ def test_what_another_answer_was_explained_by_narrows_the_class():
     known = known_of(arm, "J")
     rules, (answers,) = known.singles
     for (mistake,), answer in zip(rules, answers, strict=True):
-        told = explained(known, seen(answer), DECIMALS)
+        told: Any = explained(known, seen(answer), DECIMALS)
         if told is not None and len(told.titles) > 1 and mistake.title in told.titles:
-            narrowed = explained(known, seen(answer), DECIMALS, [{mistake.title}])
+            narrowed: Any = explained(known, seen(answer), DECIMALS, [{mistake.title}])
             assert narrowed.sentence == mistake.sentence
             assert explained(known, seen(answer), DECIMALS, [{"nothing known"}]) == told
             return

@@ -1,12 +1,12 @@
 """An arm as a list of elementary motions with numbers, each of which somebody may get wrong."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ...exercises.arm import Arm
 from ...solutions.expression import Expression
 from ...solutions.robot import Robot
 
@@ -15,6 +15,25 @@ Indices = NDArray[np.int64]
 OTHER_ORDER = {"standard": (3, 2, 0, 1), "modified": (2, 3, 1, 0)}  # of the four of a row
 SIZE = 1e-9  # [rad, m]: what is smaller is no angle and no length
 PROBES = (1.0, 2.0)  # [m] by which a length is moved
+
+
+class HasRobot(Protocol):
+    """An arm, as exercises/arm.py has it: what is computed there does not belong to marking."""
+
+    @property
+    def robot(self) -> Robot:
+        """Its rows."""
+        ...
+
+    @property
+    def lengths(self) -> Mapping[str, float]:
+        """Its lengths by name [m]."""
+        ...
+
+    @property
+    def q(self) -> NDArray[np.float64]:
+        """Its joint variables (n,) [rad, m]."""
+        ...
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,7 +92,7 @@ class Steps:
         return order
 
 
-def steps_of(arm: Arm) -> Steps:
+def steps_of(arm: HasRobot) -> Steps:
     """The motions of an arm with a student's numbers."""
     robot = arm.robot
     parts = [robot.base_steps, *robot.steps, robot.tool_steps]
