@@ -228,11 +228,14 @@ def _charge(sheet: _Sheet, part: Part, chosen: _Judged) -> None:
 def _is_better(part: Part, followed: _Judged, own: _Judged) -> bool:
     """Whether what follows from own answers earns more, or as much and all of it follows.
 
-    A known mistake of the arm that was made in an earlier answer is carried on, not made again.
+    A known mistake of the arm that was made in an earlier answer is carried on, not made again: it
+    is worth what follows, or what is right of the entries.
     """
     earns = followed.share * part.follow
-    is_carried_on = followed.found.all_right and any(name.titles for name in own.names)
-    return earns > own.share or is_carried_on or (followed.found.all_right and earns == own.share)
+    worth = own.share
+    if any(name.titles for name in own.names):
+        worth = own.found.share
+    return earns > own.share or (followed.found.all_right and earns >= worth)
 
 
 def _judge(sheet: _Sheet, part: Part, wanted: Wanted, answer: Any) -> _Judged:
