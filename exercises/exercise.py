@@ -160,8 +160,9 @@ class Exercise:
     secret and can be pinned for a whole class. `symbols` are the LaTeX of printed names that are
     more than letters and an index. `scale(v)` is a typical length [m] that linear tolerances are
     measured against. `named` are the names of which every one is drawn for some student. `robot`
-    names a robot of the catalogue whose map stands in the report. `rows` is the order of rows in
-    every Jacobian and twist of the exercise: what the sheet says of it and what findings say follow
+    names a robot of the catalogue whose map stands in the report; `arm(v)` is the robot as one
+    student has it, from which known mistakes of any arm are computed. `rows` is the order of rows
+    in every Jacobian and twist of the exercise: what the sheet says of it and findings say follow
     it; `solve` and the units of an answer stand in that order themselves.
     """
 
@@ -180,6 +181,7 @@ class Exercise:
     structure: tuple[str, ...] = ()
     robot: str | None = None
     drawings: Callable[[Variant], tuple[Drawing, ...]] = field(default=lambda _: ())
+    arm: Callable[[Variant], Any] | None = None
     rows: Rows = "linear, angular"
     named: tuple[str, ...] = ()
 

@@ -178,6 +178,7 @@ def exercise(
         hidden=hidden,
         structure=structure,
         drawings=drawings_of(names, drawings, standard=statement is None),
+        arm=names.arm,
         rows=rows,
         named=(*own_units, *unprinted),
         robot=robot_map,

@@ -49,7 +49,10 @@ ROOMS = {
     "grader/reading": ENGINE | {"exercises"},
     "grader/kinds": ENGINE
     | {"exercises", "exercises/kinds", "grader/collecting", "grader/reading"},
-    "grader/marking": ENGINE | {"exercises", "grader/collecting", "grader/reading", "grader/kinds"},
+    "grader/diagnosis": ENGINE | {"exercises", "exercises/calculations", "grader/reading"},
+    "grader/marking": ENGINE
+    | {"exercises", "exercises/kinds", "grader/collecting", "grader/reading", "grader/kinds"}
+    | {"grader/diagnosis"},
     "grader/figures": ENGINE | {"exercises"},
     # Settings and words at the bottom, sheets above them, proofs above sheets, the command on top.
     "course/ground": ENGINE,

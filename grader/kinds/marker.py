@@ -87,12 +87,14 @@ class Named:
         fault: What kind of mistake it is; None where such an answer earns nothing by itself.
         key: What is charged once though it is met again; the sentence, if empty.
         local: Whether the same sentence in another part is another mistake, as of one wrong entry.
+        titles: The known mistakes of any arm that it may be (grader/diagnosis), if it is of those.
     """
 
     sentence: str
     fault: Fault | None = None
     key: str = ""
     local: bool = False
+    titles: frozenset[str] = frozenset()
 
 
 @dataclass(frozen=True)

@@ -53,6 +53,7 @@ class Marked:
         own: The answers that could be read.
         verdicts: Of all parts so far.
         named: Wrong parts whose mistake has a name and a price.
+        suspected: The known mistakes of any arm that may explain each part.
     """
 
     key: AnswerKey
@@ -62,6 +63,7 @@ class Marked:
     own: OwnAnswers = field(default_factory=OwnAnswers)
     verdicts: dict[str, Verdict] = field(default_factory=dict[str, Verdict])
     named: set[str] = field(default_factory=set[str])
+    suspected: dict[str, frozenset[str]] = field(default_factory=dict[str, frozenset[str]])
 
 
 @dataclass(frozen=True)
@@ -222,9 +224,11 @@ def _verdict(sheet: Marked, part: Part, answer: Any) -> Verdict:
 
 
 def _charge(sheet: Marked, part: Part, chosen: _Judged) -> None:
-    """Writes down what the part has paid for."""
+    """Writes down what the part has paid for, and which mistake of its arm it may be."""
     if chosen.names and not chosen.found.settled:
         sheet.bill.charge(part, chosen.names[0])
+    for name in chosen.names[:1]:
+        sheet.suspected[part.variable] = name.titles
 
 
 def _follow(sheet: Marked, part: Part) -> float:
@@ -235,9 +239,16 @@ def _follow(sheet: Marked, part: Part) -> float:
 
 
 def _is_better(follow: float, followed: _Judged, own: _Judged) -> bool:
-    """Whether what follows from own answers earns more, or as much and all of it follows."""
+    """Whether what follows from own answers earns more, or as much and all of it follows.
+
+    A known mistake of the arm that was made in an earlier answer is carried on, not made again: it
+    is worth what follows, or what is right of the entries.
+    """
     earns = followed.share * follow
-    return earns > own.share or (followed.found.all_right and earns == own.share)
+    worth = own.share
+    if any(name.titles for name in own.names):
+        worth = own.found.share
+    return earns > own.share or (followed.found.all_right and earns >= worth)
 
 
 def _judge(sheet: Marked, part: Part, wanted: Wanted, answer: Any) -> _Judged:
@@ -245,7 +256,8 @@ def _judge(sheet: Marked, part: Part, wanted: Wanted, answer: Any) -> _Judged:
     found = judged(sheet.key, part, wanted, answer)
     if found.all_right:
         return _Judged(found, (), 1.0, ())
-    names = tuple(named(sheet.key, part, wanted, answer, found.right))
+    suspected = sheet.suspected.values()
+    names = tuple(named(sheet.key, part, wanted, answer, found.right, suspected))
     if not names:
         return _Judged(found, (), found.share, found.findings)
     share, before = 0.0, ""
