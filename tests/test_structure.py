@@ -52,7 +52,7 @@ ROOMS = {
     "grader/marking": ENGINE | {"exercises", "grader/collecting", "grader/reading", "grader/kinds"},
     "grader/figures": ENGINE | {"exercises"},
     # Settings and words at the bottom, sheets above them, proofs above sheets, the command on top.
-    "course/ground": ENGINE,
+    "course/ground": ENGINE | {"grader/collecting"},
     "course/sheet": ENGINE
     | {"course/ground", "exercises", "exercises/kinds", "grader/collecting", "grader/figures"},
     "course": ENGINE
@@ -72,7 +72,17 @@ ROOM_OF = {
     **dict.fromkeys(
         [
             f"course/{name}"
-            for name in ("config", "console", "escape", "files", "formulas", "words")
+            for name in (
+                "config",
+                "console",
+                "errors",
+                "escape",
+                "files",
+                "formulas",
+                "roster",
+                "text_file",
+                "words",
+            )
         ],
         "course/ground",
     ),

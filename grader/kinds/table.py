@@ -13,6 +13,7 @@ from ...exercises.kinds.table import posture, table_numbers, table_text
 from ...exercises.properties import turned
 from ...solutions.errors import KinegradeError
 from ...solutions.expression import ExpressionError
+from ...solutions.plain_number import plain_number
 from ...solutions.table import COLUMNS, Table, read_table
 from ..collecting.wire import Raw
 from ..reading.arrays import real_numbers, without_single_axes
@@ -105,10 +106,9 @@ def _typed_rows(text: str, names: tuple[str, ...]) -> list[list[str]]:
 
 def _cell(cell: Any) -> str:
     """A cell of nested text as text; Python hands over numbers as numbers."""
-    try:
-        return _typed(float(cell))
-    except (TypeError, ValueError, OverflowError):
-        return cell if isinstance(cell, str) else str(cell)
+    text = cell if isinstance(cell, str) else repr(cell)
+    number = plain_number(text)
+    return text if number is None else _typed(number)
 
 
 def _typed(number: float) -> str:
