@@ -180,8 +180,9 @@ def _rows(path: Path) -> Iterator[tuple[int, dict[str, str]]]:
                 f"{path}: the column {name!r} is missing; `kinegrade marks write` has all columns"
             )
     for row in rows:
-        cells = dict.fromkeys((*NEEDED, "comment"), "")
-        cells |= zip(columns, row.cells, strict=False)  # a row may be shorter
+        cells: dict[str, str] = {"comment": ""}
+        cells |= dict.fromkeys(NEEDED, "")
+        cells.update(zip(columns, row.cells, strict=False))  # a row may be shorter
         yield row.first, cells
 
 

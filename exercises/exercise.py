@@ -151,13 +151,14 @@ class Exercise:
     `draw(rng)` returns plain numbers; they pass through JSON before anything is computed. `units`
     give the unit of every drawn number that is printed (nested like the number itself); what is not
     listed there is not printed. `hidden` names drawn numbers that stay with the instructor, such as
-    the inputs of a function; `structure` names drawn choices of form, which are neither printed nor
-    secret and can be pinned for a whole class. `symbols` are the LaTeX of printed names that are
-    more than letters and an index. `scale(v)` is a typical length [m] that linear tolerances are
-    measured against. `named` are the names of which every one is drawn for some student. `robot`
-    names a robot of the catalogue whose map stands in the report. `rows` is the order of rows in
-    every Jacobian and twist of the exercise: what the sheet says of it and what findings say follow
-    it; `solve` and the units of an answer stand in that order themselves.
+    the inputs of a function; `structure` names drawn choices of form, which tell no answer, stand
+    on the sheet in a line of their own, and can be pinned for a whole class, as hidden ones can.
+    `symbols` are the LaTeX of printed names that are more than letters and an index. `scale(v)` is
+    a typical length [m] that linear tolerances are measured against. `named` are the names of which
+    every one is drawn for some student. `robot` names a robot of the catalogue whose map stands in
+    the report. `rows` is the order of rows in every Jacobian and twist of the exercise: what the
+    sheet says of it and what findings say follow it; `solve` and the units of an answer stand in
+    that order themselves.
     """
 
     slug: str

@@ -159,7 +159,8 @@ class Marker:
     compared: Callable[[Any, Variant, Wanted, Any], Mask | Comparison]
     """compared(answer, v, wanted, value): which entries are right.
 
-    Points then follow from the entries; a Comparison says its share itself.
+    Points then follow from the entries; a Comparison says its share itself. Raises Unreadable where
+    comparing would take too long.
     """
 
     handed_in: Callable[[Any, Any, Variant], Raw]

@@ -116,7 +116,10 @@ def _mark_raw(sheet: _Sheet, part: Part, raw: Raw) -> Verdict:
     answer, unjudged = _read(part, raw, sheet.key.v)
     if unjudged:
         return unjudged
-    verdict = _mark_readable(sheet, part, answer)
+    try:
+        verdict = _mark_readable(sheet, part, answer)
+    except Unreadable as error:  # what can be read may still be too much to be compared
+        return _unreadable(part, raw, str(error))
     sheet.answers[part.variable] = answer
     read_as = marker_of(part.answer).read_as(part.answer, raw, answer)
     return replace(verdict, reading=" ".join(filter(None, (read_as, verdict.reading))))
@@ -126,6 +129,8 @@ def _mark_readable(sheet: _Sheet, part: Part, answer: Any) -> Verdict:
     """The verdict of an answer that was read, with a note for the instructor on whose it may be."""
     try:
         verdict = _verdict(sheet, part, answer)
+    except Unreadable:
+        raise
     except Exception:
         log.exception("%s could not be marked", part.variable)
         verdict = not_graded(part.variable, part.points, OUR_FAILURE)

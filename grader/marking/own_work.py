@@ -8,10 +8,13 @@ import numpy as np
 
 from ...exercises.exercise import Exercise, Manual, Part, Variant
 from ..collecting.wire import Raw
-from ..kinds.markers import read
+from ..kinds.markers import marker_of, read
 from ..reading.unreadable import Unreadable
 from .answer_key import AnswerKey
-from .judge import judged
+from .compare import compare
+from .judge import judges
+
+READABLE = "can be read"
 
 
 @dataclass(frozen=True)
@@ -29,7 +32,8 @@ def remarks(
     """A remark on every asked part; with `consistency`, also whether it follows from earlier ones.
 
     The latter checks the student's J against the student's own T (S0, eq. 4.11) and uses no
-    reference answer.
+    reference answer. It is not said of answers that could be tried out until it fits: choices,
+    conditions, whole numbers, and what a part's own check judges.
     """
     key = AnswerKey(exercise, v)
     answers: dict[str, Any] = {}
@@ -46,10 +50,20 @@ def remarks(
         except Unreadable as error:
             yield Remark(part.variable, ok=False, text=str(error))
             continue
-        if consistency and part.needs and all(need in answers for need in part.needs):
+        known = consistency and part.needs and all(need in answers for need in part.needs)
+        if known and marker_of(part.answer).priced(part.answer, answers[part.variable]):
             yield _fits(key, part, answers)
         else:
-            yield Remark(part.variable, ok=True, text="can be read")
+            yield Remark(part.variable, ok=True, text=READABLE)
+
+
+def readable(part: Part, raws: Mapping[str, Raw], v: Variant, text: str = READABLE) -> Remark:
+    """Whether a part's answer can be read, with nothing said of what it should be."""
+    try:
+        read(part.answer, raws.get(part.variable, Raw("missing")), v)
+    except Unreadable as error:
+        return Remark(part.variable, ok=False, text=str(error))
+    return Remark(part.variable, ok=True, text=text)
 
 
 def _by_hand(part: Part, answer: Manual, raw: Raw, v: Variant) -> Remark:
@@ -66,9 +80,13 @@ def _by_hand(part: Part, answer: Manual, raw: Raw, v: Variant) -> Remark:
 def _fits(key: AnswerKey, part: Part, answers: Mapping[str, Any]) -> Remark:
     own = {need: answers[need] for need in part.needs}
     names = " and ".join(own)
+    value = answers[part.variable]
     try:
         with np.errstate(all="ignore"):
-            right = judged(key, part, key.following(part, own), answers[part.variable]).all_right
+            wanted = key.following(part, own)
+            if judges(key, part, wanted, value):
+                return Remark(part.variable, ok=True, text=READABLE)
+            right = compare(key, part, wanted, value).all_right
     except Exception:  # noqa: BLE001 - whatever a student's earlier answer does to solve(), nothing follows from it
         return Remark(
             part.variable,
