@@ -76,14 +76,16 @@ class Outcome:
     """What a part's own `check` found: what is right, how the answer was read, and a finding.
 
     `right` is None where the usual comparison with the reference shall decide. `share` of the
-    points is earned where the right entries alone do not say it. Of a function, `right` has a flag
-    for every group of calls (`Results`), or a list of flags, one for each of its calls.
+    points is earned where the right entries alone do not say it; unless it is `final`, a mistake
+    that has a name leaves what it leaves elsewhere. Of a function, `right` has a flag for every
+    group of calls (`Results`), or a list of flags, one for each of its calls.
     """
 
     right: ArrayLike | Sequence[bool | Sequence[bool]] | None = None
     reading: str = ""
     finding: str = ""
     share: float | None = None
+    final: bool = True
 
 
 @dataclass(frozen=True)

@@ -166,7 +166,9 @@ def test_the_folder_of_all_submissions_may_stand_elsewhere(course, tmp_path):
     hand_in(course, "ada", b"{}")
     (course.folder / "submitted").rename(tmp_path / "elsewhere")
     (course.folder / "submitted").symlink_to(tmp_path / "elsewhere", target_is_directory=True)
-    assert find_submission(course.folder, "ada", "one").data == b"{}"
+    submission = find_submission(course.folder, "ada", "one")
+    assert submission is not None
+    assert submission.data == b"{}"
 
 
 OTHERS = {

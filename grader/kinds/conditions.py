@@ -15,7 +15,7 @@ from ..reading.rounded import with_exact_angles
 from ..reading.typed_equations import typed_equations
 from ..reading.unreadable import Unreadable, misread
 from .domain import Domain, is_turn
-from .marker import Comparison, Marker, Wanted
+from .marker import Comparison, Marker, Wanted, not_at_all
 from .work import TooMuchWork, budget
 from .zero_sets import judge_conditions
 
@@ -23,7 +23,7 @@ WHOLE = 1e-9  # degrees
 MOST_CONDITIONS = 32
 MOST_EQUATIONS = 64  # in all conditions
 MOST_NODES = 6000  # numbers, names and signs in all conditions
-MOST_WORK = 1e8  # numbers computed while conditions are judged, within half a second or so
+MOST_WORK = 4e8  # numbers computed while conditions are judged, within two seconds or so
 TOO_LONG = (
     "cannot be read in reasonable time: write few short conditions, each as a factor that is zero"
 )
@@ -121,4 +121,4 @@ def _handed_in(_: Conditions, value: Sequence[Condition], __: Variant) -> Raw:
     return Raw("text", _shown(value))
 
 
-MARKER = Marker(read_conditions, _compared, _handed_in, shown=_shown)
+MARKER = Marker(read_conditions, _compared, _handed_in, shown=_shown, alone=not_at_all)

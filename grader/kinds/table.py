@@ -20,7 +20,7 @@ from ..reading.arrays import real_numbers, without_single_axes
 from ..reading.typed import typed
 from ..reading.typed_matrix import typed_matrix
 from ..reading.unreadable import Unreadable, clip, misread
-from .marker import Asked, Comparison, Marker, Mask, Named, Wanted, is_trivial
+from .marker import Asked, Comparison, Marker, Mask, Named, Wanted, is_trivial, not_at_all
 from .same_arm import describes_same_arm, repairs
 from .signs import said_of_one_entry
 
@@ -215,5 +215,6 @@ MARKER = Marker(
     varies=True,
     by_rows=True,
     found=_found,
+    alone=not_at_all,
     priced=_priced,
 )

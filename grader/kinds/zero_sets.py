@@ -1,7 +1,9 @@
 """Conditions such as sin(q2) = 0: do they hold where they should, and nowhere else?"""
 
+import json
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -104,7 +106,20 @@ def _findings(
 
 
 def _met_somewhere(condition: Condition, domain: Domain, v: Variant) -> Points:
-    """Points where a condition is met, looked for some turns beyond the domain if need be."""
+    """Points where a condition is met, looked for some turns beyond the domain if need be.
+
+    The same answer is judged several times: against the reference and against each known mistake.
+    """
+    return _met_with(condition, tuple(domain.items()), json.dumps(v, sort_keys=True, default=repr))
+
+
+@lru_cache(maxsize=128)
+def _met_with(
+    condition: Condition, limits: tuple[tuple[str, tuple[float, float]], ...], numbers: str
+) -> Points:
+    """The points by what can be looked up; they are not to be written to."""
+    domain = dict(limits)
+    v: Variant = json.loads(numbers)
     points = _roots(condition, domain, v)
     if count_of(points):
         return points

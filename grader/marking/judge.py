@@ -21,7 +21,7 @@ def judged(key: AnswerKey, part: Part, wanted: Wanted, value: Any) -> Comparison
         said = [outcome.finding] if outcome.finding else []
         found = replace(found, findings=(*said, *found.findings), reading=outcome.reading)
         if outcome.share is not None:
-            found = replace(found, share=outcome.share, settled=True)
+            found = replace(found, share=outcome.share, settled=outcome.final)
     return found
 
 

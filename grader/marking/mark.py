@@ -211,13 +211,19 @@ def _verdict(sheet: _Sheet, part: Part, answer: Any) -> Verdict:
         followed = _followed(sheet, part, wanted, answer)
         if followed is not None and _is_better(part, followed, own):
             _charge(sheet, part, followed)
+            if _is_made_up(part, followed, answer, wanted.value):
+                sheet.unfollowed[part.variable] = UNRELATED
             return _written_following(sheet, part, followed, answer)
-    reference = key.reference[part.variable]
-    if not own.names and own.share < HALF and is_unrelated(part, reference, answer):
+    if _is_made_up(part, own, answer, key.reference[part.variable]):
         sheet.unfollowed[part.variable] = UNRELATED
     _charge(sheet, part, own)
     verdict = _written(part, own, answer)
     return _with_finding(verdict, f"Nothing follows {why}.") if why else verdict
+
+
+def _is_made_up(part: Part, judged: _Judged, answer: Any, wanted: Any) -> bool:
+    """Whether an answer earned little, has no name, and hardly any number of what is wanted."""
+    return not judged.names and judged.share < HALF and is_unrelated(part, wanted, answer)
 
 
 def _charge(sheet: _Sheet, part: Part, chosen: _Judged) -> None:
