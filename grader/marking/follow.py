@@ -19,7 +19,9 @@ TELLING = 5  # different numbers that tell whose an answer is: many share a join
 HANDED_IN_TOO = "handed in the same numbers."
 NEAR = 0.01  # of a number: as near as rounded numbers are to each other
 ROUNDED = 6e-4  # between numbers with three decimals that are the same
-RELATED = 0.25  # of an answer's numbers: by chance no more are among those of the reference
+RELATED = 0.25  # of an answer's numbers: by chance fewer are among those of the reference
+PAIR = 2  # a sine comes with its cosine, so that two of many agree as easily as one
+MANY = 8  # different numbers
 MOST_ZEROS = 0.25
 
 
@@ -104,7 +106,9 @@ def is_unrelated(part: Part, reference: Any, answer: Any) -> bool:
         return False
     apart = np.abs(own[:, None] - wanted).min(axis=1)
     close = np.minimum(ROUNDED, NEAR * own)
-    return bool((apart <= close).mean() <= RELATED)
+    near = apart <= close
+    by_chance = PAIR if len(own) >= MANY else 0
+    return bool(near.mean() < RELATED or near.sum() <= by_chance)
 
 
 def is_printed(exercise: Exercise, v: Variant, answer: Any) -> bool:
