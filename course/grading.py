@@ -13,6 +13,7 @@ from ..exercises.files.finding import exercise_files
 from ..grader.collecting.ask import Ask, Limits
 from ..grader.collecting.wire import Raw
 from ..grader.marking.follow import Peers
+from ..grader.marking.guesses import counted
 from ..grader.marking.mark import mark
 from ..grader.marking.price import Bill, Price
 from ..grader.marking.verdict import Verdict, not_graded
@@ -266,6 +267,7 @@ class SheetMarker:
         others = self._handed_out.answers_of_others(exercise, work.student.id)
         try:
             verdicts = mark(exercise, numbers, raws, others, peers=peers, bill=bill)
+            verdicts = counted(exercise, verdicts)
         except Exception as error:
             log.exception(
                 "%s, sheet %s: %s could not be marked",

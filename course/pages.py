@@ -15,7 +15,7 @@ from ..exercises.exercise import Choice, Exercise, Manual, Part
 from ..grader.marking.verdict import STATUS_WORDS, Verdict
 from .config import Course, Sheet
 from .entries import Cell, entry_tables
-from .escape import printable
+from .escape import printable_lines
 from .files import write_atomically
 from .formulas import page_text
 from .grading import Result
@@ -99,7 +99,7 @@ def _findings(verdict: Verdict) -> list[dict[str, str]]:
     for finding in verdict.findings:
         if finding.private:
             continue
-        sentence, *typed = [printable(line) for line in finding.text.split("\n")]
+        sentence, *typed = finding.text.split("\n")
         shown.append({"sentence": sentence, "typed": "\n".join(typed)})
     return shown
 
@@ -225,11 +225,19 @@ def _environment() -> Environment:
     environment: Any = Environment(
         loader=FunctionLoader(_template_text),
         autoescape=True,
+        finalize=_shown,
         trim_blocks=True,
         lstrip_blocks=True,
     )
     environment.globals["style"] = Markup(_template_text("style.css"))  # noqa: S704 - our own file
     return environment
+
+
+def _shown(value: Any) -> Any:
+    """What a page shows of anything: text without control characters; our own markup as it is."""
+    if isinstance(value, str) and not isinstance(value, Markup):
+        return printable_lines(value)
+    return value
 
 
 def _template_text(name: str) -> str:

@@ -13,7 +13,7 @@ from rich.text import Text
 from ..exercises.exercise import Exercise, Manual
 from ..grader.marking.verdict import STATUS_WORDS, Status
 from .console import say
-from .escape import no_formula, printable
+from .escape import for_spreadsheet, printable
 from .grading import Result
 from .marks import ByHand
 
@@ -127,7 +127,7 @@ def grades_csv(results: Sequence[Result], parts: Sequence[str]) -> str:
         writer.writerow(
             [
                 result.student.id,
-                no_formula(result.student.name),
+                for_spreadsheet(result.student.name),
                 result.sheet,
                 status(result),
                 _number(result.points),

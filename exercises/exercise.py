@@ -76,14 +76,16 @@ class Outcome:
     """What a part's own `check` found: what is right, how the answer was read, and a finding.
 
     `right` is None where the usual comparison with the reference shall decide. `share` of the
-    points is earned where the right entries alone do not say it. Of a function, `right` has a flag
-    for every group of calls (`Results`), or a list of flags, one for each of its calls.
+    points is earned where the right entries alone do not say it; unless it is `final`, a mistake
+    that has a name leaves what it leaves elsewhere. Of a function, `right` has a flag for every
+    group of calls (`Results`), or a list of flags, one for each of its calls.
     """
 
     right: ArrayLike | Sequence[bool | Sequence[bool]] | None = None
     reading: str = ""
     finding: str = ""
     share: float | None = None
+    final: bool = True
 
 
 @dataclass(frozen=True)
@@ -156,14 +158,15 @@ class Exercise:
     `draw(rng)` returns plain numbers; they pass through JSON before anything is computed. `units`
     give the unit of every drawn number that is printed (nested like the number itself); what is not
     listed there is not printed. `hidden` names drawn numbers that stay with the instructor, such as
-    the inputs of a function; `structure` names drawn choices of form, which are neither printed nor
-    secret and can be pinned for a whole class. `symbols` are the LaTeX of printed names that are
-    more than letters and an index. `scale(v)` is a typical length [m] that linear tolerances are
-    measured against. `named` are the names of which every one is drawn for some student. `robot`
-    names a robot of the catalogue whose map stands in the report; `arm(v)` is the robot as one
-    student has it, from which known mistakes of any arm are computed. `rows` is the order of rows
-    in every Jacobian and twist of the exercise: what the sheet says of it and findings say follow
-    it; `solve` and the units of an answer stand in that order themselves.
+    the inputs of a function; `structure` names drawn choices of form, which tell no answer, stand
+    on the sheet in a line of their own, and can be pinned for a whole class, as hidden ones can.
+    `symbols` are the LaTeX of printed names that are more than letters and an index. `scale(v)` is
+    a typical length [m] that linear tolerances are measured against. `named` are the names of which
+    every one is drawn for some student. `robot` names a robot of the catalogue whose map stands in
+    the report; `arm(v)` is the robot as one student has it, from which known mistakes of any arm
+    are computed. `rows` is the order of rows in every Jacobian and twist of the exercise: what the
+    sheet says of it and what findings say follow it; `solve` and the units of an answer stand in
+    that order themselves.
     """
 
     slug: str

@@ -55,7 +55,7 @@ ROOMS = {
     | {"grader/diagnosis"},
     "grader/figures": ENGINE | {"exercises"},
     # Settings and words at the bottom, sheets above them, proofs above sheets, the command on top.
-    "course/ground": ENGINE,
+    "course/ground": ENGINE | {"grader/collecting"},
     "course/sheet": ENGINE
     | {"course/ground", "exercises", "exercises/kinds", "grader/collecting", "grader/figures"},
     "course/ledger": ENGINE | {"course/ground", "grader/marking"},
@@ -78,7 +78,17 @@ ROOM_OF = {
     **dict.fromkeys(
         [
             f"course/{name}"
-            for name in ("config", "console", "escape", "files", "formulas", "words")
+            for name in (
+                "config",
+                "console",
+                "errors",
+                "escape",
+                "files",
+                "formulas",
+                "roster",
+                "text_file",
+                "words",
+            )
         ],
         "course/ground",
     ),

@@ -13,10 +13,11 @@ Pair = tuple[Exercise, dict[str, Any]]
 
 
 def printed(exercise: Exercise, v: dict[str, Any]) -> dict[str, Any]:
-    """The drawn numbers without those that stay with the instructor."""
-    shown = dict(v)
-    for name in exercise.hidden:
-        shown.pop(name, None)
+    """What the sheet prints of the drawn numbers: those with a unit, and the choices of form."""
+    shown: dict[str, Any] = {}
+    for name in (*exercise.units, *exercise.structure):
+        if name in v:
+            shown[name] = v[name]
     return shown
 
 
@@ -77,6 +78,14 @@ def given_numbers(exercise: Exercise, v: dict[str, Any]) -> list[str]:
 
     line = r", $\quad$ ".join(inline)
     return [f"**Your numbers:** {line}", *displayed]
+
+
+def given_form(exercise: Exercise, v: dict[str, Any]) -> str:
+    """Markdown of the choices of form, in one line; empty where an exercise has none."""
+    chosen = [f"`{name} = {v[name]!r}`" for name in exercise.structure if name in v]
+    if not chosen:
+        return ""
+    return f"*The form in which you have this exercise: {', '.join(chosen)}.*"
 
 
 def _symbol(name: str, value: Any) -> str:

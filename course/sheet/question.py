@@ -9,7 +9,7 @@ from ...exercises.exercise import Choice, Exercise, Part
 from ...grader.figures.arm import draw
 from ...grader.figures.raster import data_uri, png
 from ..words import points_text
-from .given import given_numbers
+from .given import given_form, given_numbers
 from .heading import STACKED
 
 WIDTH = 380  # of a figure on the page, in pixels; the PNG has twice as many
@@ -32,6 +32,9 @@ def question_text(
     if statement:
         blocks.append(statement)
     blocks += given_numbers(exercise, v)
+    form = given_form(exercise, v)
+    if form:
+        blocks.append(form)
 
     drawings = exercise.drawings(v)
     if drawings:

@@ -1,6 +1,7 @@
 """What students handed in: found by name, read as bytes, turned into raw values."""
 
 import logging
+import os
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 from itertools import product
@@ -10,8 +11,10 @@ from typing import Any
 from ...exercises.exercise import Exercise, Function, Part, Variant
 from ...grader.collecting.ask import Ask, AskError, Limits
 from ...grader.collecting.collect import cannot_run, collect
+from ...grader.collecting.machine_paths import without_paths
 from ...grader.collecting.mat_file import cannot_read, from_mat
-from ...grader.collecting.named_matrices import from_csv, from_json
+from ...grader.collecting.named_matrices import every, from_csv, from_json
+from ...grader.collecting.other_formats import other_format
 from ...grader.collecting.wire import Raw
 from ..config import CourseError
 from ..escape import printable
@@ -19,6 +22,7 @@ from ..escape import printable
 log = logging.getLogger(__name__)
 MAX_BYTES = 25 << 20
 NOTEBOOK = ".ipynb"
+OWN_FILE = "a submission takes a file of its own"
 Reader = Callable[[bytes, Sequence[Ask], Limits], dict[str, Raw]]
 READERS: dict[str, Reader] = {
     NOTEBOOK: collect,
@@ -62,6 +66,9 @@ class Submission:
             else:
                 asked.append(ask)
 
+        other = other_format(self.data)
+        if other:
+            return found | every(asked, other.sentence)
         found |= READERS[self.path.suffix](self.data, asked, limits)
         if self.path.suffix == NOTEBOOK:
             for ask in asked:
@@ -92,7 +99,8 @@ def _ask(part: Part, v: Variant, *, published: bool) -> Ask:
     except Exception as error:  # an exercise may fail in any way on a student's numbers
         log.exception("%s: its inputs could not be made", part.variable)
         return Ask(
-            part.variable, hindrance=f"its inputs stopped with {type(error).__name__}: {error}"
+            part.variable,
+            hindrance=without_paths(f"its inputs stopped with {type(error).__name__}: {error}"),
         )
 
 
@@ -105,16 +113,33 @@ def _calls(answer: Function, v: Variant, *, published: bool) -> list[tuple[Any, 
 def find_submission(folder: Path, student: str, sheet: str) -> Submission | None:
     """The student's file for a sheet; None when there is none.
 
-    A notebook goes before .json, that before .csv, and that before .mat.
+    A notebook goes before .json, that before .csv, and that before .mat. What it raises names the
+    file below the course folder: the student reads it.
 
     Raises:
-        CourseError: the file is there and cannot be read.
+        CourseError: the file is there and cannot be read, or is a link to some other file.
     """
     for suffix in READERS:
         path = folder / "submitted" / student / f"{sheet}{suffix}"
-        if path.exists() or path.is_symlink():  # a link to nowhere does not exist
+        if not path.exists() and not path.is_symlink():  # a link to nowhere does not exist
+            continue
+        try:
+            _refuse_link(path)
             return read_submission(path)
+        except CourseError as error:
+            raise CourseError(str(error).replace(f"{folder}{os.sep}", "")) from error
     return None
+
+
+def _refuse_link(path: Path) -> None:
+    """Refuses what leads elsewhere: below submitted/ a link may lead to somebody else's file."""
+    for place in (path.parent, path):
+        if place.is_symlink():
+            raise CourseError(f"{place} is a link; {OWN_FILE}")
+    if path.is_file() and path.stat().st_nlink > 1:
+        raise CourseError(
+            f"{path} is a link: the same file stands under another name, too; {OWN_FILE}"
+        )
 
 
 def misnamed(folder: Path, student: str, sheets: Collection[str]) -> str:
@@ -170,7 +195,7 @@ def read_submission(path: Path) -> Submission:
 def _bytes_of(path: Path) -> bytes:
     """What a file holds that is one, and not too large. Raises CourseError, OSError."""
     if path.is_symlink():  # it may point at somebody else's
-        raise CourseError(f"{path} is a link; a submission takes a file of its own")
+        raise CourseError(f"{path} is a link; {OWN_FILE}")
     if path.exists() and not path.is_file():  # a pipe would be waited for
         raise CourseError(f"{path} cannot be read: it is not a file")
     size = path.stat().st_size

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
 
 from .ask import MAX_CALLS
+from .machine_paths import without_paths
 
 Kind = Literal["num", "text", "calls", "missing", "error", "unasked"]
 MAX_ELEMENTS = 4096
@@ -150,7 +151,8 @@ def _read_value(data: Any, calls: int) -> Raw:
     if not isinstance(value, _Calls):
         return _single(value)
     if calls and (value.listed or len(value.v) == calls):
-        return Raw("calls", [_single(result) for result in value.v], value.note, value.listed)
+        note = without_paths(value.note)
+        return Raw("calls", [_single(result) for result in value.v], note, value.listed)
     return Raw("error", UNMARKED)
 
 
@@ -176,10 +178,10 @@ def _items(value: Any, most: int, depth: int = 5) -> int:
 
 def _single(value: _Numeric | _Typed | _Nothing) -> Raw:
     if isinstance(value, _Numeric):
-        return Raw("num", _array(value.v), value.note)
+        return Raw("num", _array(value.v), without_paths(value.note))
     if isinstance(value, _Typed):
-        return Raw("text", value.v, value.note)
-    return Raw(value.k, value.v)
+        return Raw("text", value.v, without_paths(value.note))
+    return Raw(value.k, without_paths(value.v))
 
 
 def _array(parts: _Array) -> NDArray[Any]:

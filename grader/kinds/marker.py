@@ -147,6 +147,15 @@ def _never(*_: Any) -> bool:
     return False
 
 
+def _in_full(_: Any) -> float:
+    return 1.0
+
+
+def not_at_all(_: Any) -> float:
+    """Of answers that may be right by chance."""
+    return 0.0
+
+
 @dataclass(frozen=True)
 class Marker:
     """A kind of answer as it is marked; all but the first three functions have defaults.
@@ -161,7 +170,8 @@ class Marker:
     compared: Callable[[Any, Variant, Wanted, Any], Mask | Comparison]
     """compared(answer, v, wanted, value): which entries are right.
 
-    Points then follow from the entries; a Comparison says its share itself.
+    Points then follow from the entries; a Comparison says its share itself. Raises Unreadable where
+    comparing would take too long.
     """
 
     handed_in: Callable[[Any, Any, Variant], Raw]
@@ -208,6 +218,12 @@ class Marker:
 
     found: Callable[[Asked, Any, Mask], Iterable[Named]] = _no_names
     """found(asked, value, right): what explains a wrong answer, from most to least telling."""
+
+    alone: Callable[[Any], float] = _in_full
+    """alone(answer): what a right answer counts where no number of the student's own was computed.
+
+    1 for what takes such numbers, 0 for what is easily guessed.
+    """
 
     priced: Callable[[Any, Any], bool] = _never
     """priced(answer, value): whether a named mistake leaves points: nobody guesses such a value."""

@@ -141,6 +141,11 @@ def _found(asked: Asked, value: Array, right: Mask) -> Iterator[Named]:
         yield from said_of_one_entry(right)
 
 
+def _alone(answer: Numbers) -> float:
+    """Whole numbers, such as ranks, are guessed."""
+    return float(answer.decimals > 0)
+
+
 def _priced(answer: Numbers, value: Array) -> bool:
     """Whether there are decimals, and a number that is none of -1, 0 and 1."""
     return answer.decimals > 0 and not is_trivial(value, 0.0).all()
@@ -167,5 +172,6 @@ MARKER = Marker(
     has_blocks=_has_blocks,
     in_other_units=_in_other_units,
     found=_found,
+    alone=_alone,
     priced=_priced,
 )

@@ -14,13 +14,14 @@ from ...exercises.kinds.table import posture, table_numbers, table_text
 from ...exercises.properties import turned
 from ...solutions.errors import KinegradeError
 from ...solutions.expression import ExpressionError
+from ...solutions.plain_number import plain_number
 from ...solutions.table import COLUMNS, Convention, Table, read_table
 from ..collecting.wire import Raw
 from ..reading.arrays import real_numbers, without_single_axes
 from ..reading.typed import typed
 from ..reading.typed_matrix import typed_matrix
 from ..reading.unreadable import Unreadable, clip, misread
-from .marker import Asked, Comparison, Marker, Mask, Named, Wanted, is_trivial
+from .marker import Asked, Comparison, Marker, Mask, Named, Wanted, is_trivial, not_at_all
 from .repairs import repairs
 from .same_arm import describes_same_arm
 from .signs import said_of_one_entry
@@ -125,10 +126,9 @@ def _typed_rows(text: str, names: tuple[str, ...]) -> list[list[str]]:
 
 def _cell(cell: Any) -> str:
     """A cell of nested text as text; Python hands over numbers as numbers."""
-    try:
-        return _typed(float(cell))
-    except (TypeError, ValueError, OverflowError):
-        return cell if isinstance(cell, str) else str(cell)
+    text = cell if isinstance(cell, str) else repr(cell)
+    number = plain_number(text)
+    return text if number is None else _typed(number)
 
 
 def _typed(number: float) -> str:
@@ -254,5 +254,6 @@ MARKER = Marker(
     varies=True,
     by_rows=True,
     found=_found,
+    alone=not_at_all,
     priced=_priced,
 )

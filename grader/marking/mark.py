@@ -122,7 +122,10 @@ def _mark_raw(sheet: Marked, part: Part, raw: Raw) -> Verdict:
     answer, unjudged = _read(part, raw, sheet.key.v)
     if unjudged:
         return unjudged
-    verdict = _mark_readable(sheet, part, answer)
+    try:
+        verdict = _mark_readable(sheet, part, answer)
+    except Unreadable as error:  # what can be read may still be too much to be compared
+        return _unreadable(part, raw, str(error))
     sheet.own.answers[part.variable] = answer
     read_as = marker_of(part.answer).read_as(part.answer, raw, answer)
     return replace(verdict, reading=" ".join(filter(None, (read_as, verdict.reading))))
@@ -132,6 +135,8 @@ def _mark_readable(sheet: Marked, part: Part, answer: Any) -> Verdict:
     """The verdict of an answer that was read, with a note for the instructor on whose it may be."""
     try:
         verdict = _verdict(sheet, part, answer)
+    except Unreadable:
+        raise
     except Exception:
         log.exception("%s could not be marked", part.variable)
         verdict = not_graded(part.variable, part.points, OUR_FAILURE)
@@ -210,9 +215,10 @@ def _verdict(sheet: Marked, part: Part, answer: Any) -> Verdict:
         follow = _follow(sheet, part)
         if followed is not None and _is_better(follow, followed, own):
             _charge(sheet, part, followed)
+            if _is_made_up(part, followed, answer, follows.wanted.value):
+                sheet.own.unfollowed[part.variable] = UNRELATED
             return _written_following(sheet, part, followed, answer, follow)
-    reference = key.reference[part.variable]
-    if not own.names and own.share < HALF and is_unrelated(part, reference, answer):
+    if _is_made_up(part, own, answer, key.reference[part.variable]):
         sheet.own.unfollowed[part.variable] = UNRELATED
     _charge(sheet, part, own)
     if own.names and own.names[0].fault:
@@ -221,6 +227,11 @@ def _verdict(sheet: Marked, part: Part, answer: Any) -> Verdict:
     if follows.why:
         return _with_finding(verdict, f"Nothing follows {follows.why}.")
     return verdict
+
+
+def _is_made_up(part: Part, judged: _Judged, answer: Any, wanted: Any) -> bool:
+    """Whether an answer earned little, has no name, and hardly any number of what is wanted."""
+    return not judged.names and judged.share < HALF and is_unrelated(part, wanted, answer)
 
 
 def _charge(sheet: Marked, part: Part, chosen: _Judged) -> None:
