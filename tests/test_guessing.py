@@ -72,15 +72,15 @@ def test_a_printed_matrix_is_handed_in_wherever_it_fits():
     np.testing.assert_array_equal(raw.value, v["W"])
 
 
-GUESSABLE = {Choice: 0.0, Conditions: 0.0, TableOf: 0.0, Formulas: 0.2}
+GUESSABLE = {Choice: "not at all", Conditions: "not at all", TableOf: "not at all"}
 
 
 def test_what_counts_alone_goes_by_the_kind(exercise):
     for part in exercise.asked:
-        share = GUESSABLE.get(type(part.answer), 1.0)
+        counts = GUESSABLE.get(type(part.answer), "in full")
         if isinstance(part.answer, Numbers) and part.answer.decimals == 0:
-            share = 0.0
-        assert marker_of(part.answer).alone(part.answer) == share
+            counts = "not at all"
+        assert marker_of(part.answer).alone(part.answer) == counts
 
 
 def test_right_answers_lose_nothing(exercise):
@@ -93,15 +93,41 @@ def test_guessable_answers_alone_earn_nothing_and_say_why(exercise):
     v = variant_of(exercise.slug)
     raws = right_raws(exercise, v)
     for part in exercise.asked:
-        if marker_of(part.answer).alone(part.answer) == 1:
+        if marker_of(part.answer).alone(part.answer) == "in full":
             raws[part.variable] = Raw("missing")
     parts = {part.variable: part for part in exercise.asked}
     for verdict in counted(exercise, mark(exercise, v, raws)):
         answer = parts[verdict.part].answer
         if isinstance(answer, Manual | Function) or raws[verdict.part].kind == "missing":
             continue
-        assert verdict.points == pytest.approx(GUESSABLE.get(type(answer), 0.0) * verdict.out_of)
+        assert verdict.points == 0
         assert verdict.findings[-1].text == ALONE
+
+
+def test_formulas_count_alone_and_open_nothing_else():
+    exercise, v = EXERCISES["rrt"], variant_of("rrt")
+    right = right_raws(exercise, v)
+    letters = {
+        part.variable: right[part.variable]
+        for part in exercise.asked
+        if isinstance(part.answer, Formulas | Conditions)
+    }
+    parts = {part.variable: part for part in exercise.asked}
+    for verdict in counted(exercise, mark(exercise, v, letters)):
+        if isinstance(parts[verdict.part].answer, Formulas):
+            assert verdict.points == verdict.out_of
+        else:
+            assert verdict.points == 0
+
+
+def test_a_table_counts_beside_own_numbers_alone():
+    exercise, v = EXERCISES["rrt"], variant_of("rrt")
+    right = right_raws(exercise, v)
+    (table, *_) = counted(exercise, mark(exercise, v, {"rrt_dh": right["rrt_dh"]}))
+    assert (table.points, table.findings[-1].text) == (0, ALONE)
+    two = {name: right[name] for name in ("rrt_dh", "rrt_T")}
+    (table, *_) = counted(exercise, mark(exercise, v, two))
+    assert table.points == table.out_of
 
 
 def test_a_fifth_of_the_computed_points_makes_a_letter_count():

@@ -29,6 +29,8 @@ from ...grader.kinds.markers import handed_in
 SAMPLES = 3  # other students whose whole sheet is handed in
 FILLS = {"zeros": 0.0, "ones": 1.0, "halves": 0.5, "right angles": np.pi / 2}
 ALPHAS = (("0",), ("pi/2",), ("-pi/2",), ("pi/2", "-pi/2"), ("-pi/2", "pi/2"))
+DERIVED = (Formulas, Function, Manual)
+"""Kinds whose answers somebody has derived: to hand in another's is copied work, and no guess."""
 
 Array = NDArray[np.float64]
 Answers = Mapping[str, Any]
@@ -64,7 +66,7 @@ def guesses_for(exercise: Exercise, learned: Sequence[tuple[Variant, Answers]]) 
 
 def _of_another(theirs: Variant, answers: Answers) -> Guessed:
     def answer(part: Part, _: Variant) -> Raw | None:
-        if isinstance(part.answer, Function | Manual):
+        if isinstance(part.answer, DERIVED):
             return None
         return handed_in(part.answer, answers[part.variable], theirs)
 
@@ -86,7 +88,7 @@ def _constant(
 
 def _commonest_answer(part: Part, answers: Sequence[Any]) -> Raw | None:
     """The whole answer that most students have."""
-    if isinstance(part.answer, Function | Manual):
+    if isinstance(part.answer, DERIVED):
         return None
     texts = [repr(part.answer.rounded(answer)) for answer in answers]
     return handed_in(part.answer, answers[texts.index(_most_common(texts))], {})
@@ -98,7 +100,7 @@ def _commonest_entries(part: Part, answers: Sequence[Any]) -> Raw | None:
         stack = np.round(np.array(answers, dtype=float), 1).reshape(len(answers), -1)
         entries = [_most_common(column) for column in stack.T.tolist()]
         return Raw("num", np.reshape(np.array(entries, dtype=float), part.answer.shape))
-    if isinstance(part.answer, Formulas | TableOf):
+    if isinstance(part.answer, TableOf):
         texts = [np.array(handed_in(part.answer, answer, {}).value) for answer in answers]
         columns = np.array(texts).reshape(len(texts), -1).T.tolist()
         entries = [_most_common(column) for column in columns]

@@ -161,11 +161,6 @@ def _negated(value: ExpressionArray) -> ExpressionArray:
     return ExpressionArray(tuple(negated), value.shape)
 
 
-def _alone(_: Formulas) -> float:
-    """Formulas are the same for all who have an arm of one form: a fifth, for theirs may be met."""
-    return 0.2
-
-
 def _priced(_: Formulas, value: ExpressionArray) -> bool:
     return bool(value.names)
 
@@ -180,6 +175,5 @@ MARKER = Marker(
     arrays=_arrays,
     has_blocks=_has_blocks,
     found=_found,
-    alone=_alone,
     priced=_priced,
 )

@@ -10,7 +10,7 @@ and what explains a wrong answer, `arrays` and `found`.
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -147,13 +147,17 @@ def _never(*_: Any) -> bool:
     return False
 
 
-def _in_full(_: Any) -> float:
-    return 1.0
+Alone = Literal["in full", "not at all"]
+"""What counts of an answer by itself."""
 
 
-def not_at_all(_: Any) -> float:
+def _in_full(_: Any) -> Alone:
+    return "in full"
+
+
+def not_at_all(_: Any) -> Alone:
     """Of answers that may be right by chance."""
-    return 0.0
+    return "not at all"
 
 
 @dataclass(frozen=True)
@@ -219,10 +223,10 @@ class Marker:
     found: Callable[[Asked, Any, Mask], Iterable[Named]] = _no_names
     """found(asked, value, right): what explains a wrong answer, from most to least telling."""
 
-    alone: Callable[[Any], float] = _in_full
-    """alone(answer): what a right answer counts where no number of the student's own was computed.
+    alone: Callable[[Any], Alone] = _in_full
+    """alone(answer): what counts of an answer where no number of the student's own was computed.
 
-    1 for what takes such numbers, 0 for what is easily guessed.
+    All of it, or nothing, where it is right by chance.
     """
 
     priced: Callable[[Any, Any], bool] = _never

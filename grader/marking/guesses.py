@@ -1,15 +1,16 @@
-"""What can be guessed counts beside own work: letters, conditions, ranks, formulas in names.
+"""What can be guessed counts beside own work: letters, conditions, ranks, tables in names.
 
-A letter is right by chance once in four times, a slide is zero in many a singular posture, and
-formulas are the same for all who have an arm of one form. None of it depends on the numbers of one
-student, so that it earns its points once parts do that take those numbers.
+A letter is right by chance once in four times, a slide is zero in many a singular posture, and a
+table of lengths by their letters is right for many an arm. None of it depends on the numbers of one student, so that it earns its
+points once parts do that take those numbers. Formulas are work by themselves.
 """
 
 from collections.abc import Sequence
 from dataclasses import replace
 
-from ...exercises.answers import Manual
+from ...exercises.answers import Formulas, Manual
 from ...exercises.exercise import Exercise, Part
+from ..kinds.marker import Alone
 from ..kinds.markers import marker_of
 from .verdict import Finding, Verdict
 
@@ -32,12 +33,13 @@ def counted(exercise: Exercise, verdicts: Sequence[Verdict]) -> list[Verdict]:
     return [_alone(verdict, parts[verdict.part]) for verdict in verdicts]
 
 
-def _counts_alone(part: Part) -> float:
+def _counts_alone(part: Part) -> Alone:
     return marker_of(part.answer).alone(part.answer)
 
 
 def _is_computed(part: Part) -> bool:
-    return _counts_alone(part) == 1 and not isinstance(part.answer, Manual)
+    """Whether it takes numbers of one student. Formulas are the same for an arm of one form."""
+    return _counts_alone(part) == "in full" and not isinstance(part.answer, Formulas | Manual)
 
 
 def _has_own_work(computed: Sequence[Verdict]) -> bool:
@@ -52,12 +54,8 @@ def _has_own_work(computed: Sequence[Verdict]) -> bool:
 
 
 def _alone(verdict: Verdict, part: Part) -> Verdict:
-    """What a verdict is worth by itself: nothing where it is not the right one, all of it."""
-    share = _counts_alone(part)
-    if not verdict.points or share == 1:
+    """The verdict with what it is worth by itself."""
+    if not verdict.points or _counts_alone(part) == "in full":
         return verdict
-    if verdict.status != "correct":
-        share = 0.0
     findings = (*verdict.findings, Finding(ALONE))
-    points = round(share * verdict.points, 2)
-    return replace(verdict, status="partly", points=points, findings=findings)
+    return replace(verdict, status="partly", points=0.0, findings=findings)
