@@ -52,9 +52,15 @@ class Sheet(_Strict):
 class LimitsTable(_Strict):
     """What one notebook may use while it is marked."""
 
-    cell_seconds: Annotated[float, Field(gt=0, le=600)] = 5.0
-    notebook_seconds: Annotated[float, Field(gt=0, le=3600)] = 60.0
+    cell_seconds: Annotated[float, Field(gt=0, le=600)] = 30.0
+    notebook_seconds: Annotated[float, Field(gt=0, le=3600)] = 180.0
     memory_mb: Annotated[int, Field(ge=256)] = 2048
+
+
+class PackagesTable(_Strict):
+    """Packages that notebooks may import besides numpy, sympy, matplotlib, scipy and IPython."""
+
+    allow: tuple[Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]*$")], ...] = ()
 
 
 class MarkingTable(_Strict):
@@ -74,6 +80,7 @@ class Settings(_Strict):
     sheet: Annotated[tuple[Sheet, ...], Field(min_length=1)]
     limits: LimitsTable = LimitsTable()
     marking: MarkingTable = MarkingTable()
+    packages: PackagesTable = PackagesTable()
 
 
 @dataclass(frozen=True)
@@ -202,6 +209,7 @@ def _valid_keys(tables: Sequence[Any]) -> list[str]:
         "sheet": Sheet,
         "limits": LimitsTable,
         "marking": MarkingTable,
+        "packages": PackagesTable,
     }
     table: type[BaseModel] = Settings
     if tables:

@@ -153,6 +153,18 @@ class Gradebook:
                 f"{self._path}: not a gradebook that can be used: {error.orig}"
             ) from error
 
+    def note_level(self, level: str) -> None:
+        """Keeps at which level notebooks were run last."""
+        with self.transaction() as connection:
+            connection.execute(_meta.delete().where(_meta.c.key == "level"))
+            connection.execute(_meta.insert().values(key="level", value=level))
+
+    def noted_level(self) -> str:
+        """At which level notebooks were run last; empty where none was."""
+        with self.transaction() as connection:
+            query = select(_meta.c.value).where(_meta.c.key == "level")
+            return connection.scalar(query) or ""
+
     def records(self, sheet: str) -> list[Record]:
         """Everything drawn for a sheet."""
         return [_record(row) for row in self._rows_of(_records, sheet)]
