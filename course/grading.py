@@ -26,7 +26,7 @@ from .marks import with_marks
 from .results import UNSAFE_STAMP, Result, recorded_results
 from .rules import rules_hash
 from .same_numbers import marked_for_it, same_numbers
-from .sheet.submissions import NOTEBOOK, Submission, find_submission, misnamed
+from .sheet.submissions import NOTEBOOK, Submission, find_submission, misnamed, passed_over
 from .sheets import asked_parts, exercises_of
 from .variant import Record, canonical, digest
 
@@ -173,7 +173,7 @@ class SheetMarker:
         if self.again or verdicts is None or self._unfinished(verdicts):
             return work
         self.gradebook.make_current(work.key)
-        return self._result(student, verdicts)
+        return self._result(work, verdicts)
 
     def _work(self, student: Student) -> Result | _Work:
         """What marking the student's submission takes, or the reason why it cannot be marked."""
@@ -288,7 +288,7 @@ class SheetMarker:
             )
         verdicts = self._stamped(work, verdicts)
         self.gradebook.save_grade(work.key, verdicts)
-        return self._result(work.student, verdicts)
+        return self._result(work, verdicts)
 
     def _stamped(self, work: _Work, verdicts: Sequence[Verdict]) -> Sequence[Verdict]:
         """With a note for the instructor, where a notebook was run without walls."""
@@ -341,9 +341,14 @@ class SheetMarker:
     def _waiting(self, reason: str) -> tuple[Verdict, ...]:
         return tuple(_not_graded(self._parts.values(), reason))
 
-    def _result(self, student: Student, verdicts: Sequence[Verdict]) -> Result:
+    def _result(self, work: _Work, verdicts: Sequence[Verdict]) -> Result:
+        student = work.student
         marked = with_marks(verdicts, student.id, self._marks, self._parts)
-        return Result(student, self.sheet.name, marked)
+        sheets = [sheet.name for sheet in self.course.settings.sheet]
+        others = passed_over(
+            self.course.folder, student.id, self.sheet.name, sheets, work.submission.path
+        )
+        return Result(student, self.sheet.name, marked, passed_over=tuple(others))
 
 
 def _raws_or_error(future: Future[dict[str, Raw]]) -> dict[str, Raw] | Exception:

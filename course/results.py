@@ -16,12 +16,16 @@ UNSAFE_STAMP = Finding(
 
 @dataclass(frozen=True)
 class Result:
-    """One student's sheet: verdicts in the order of the parts, or why there are none."""
+    """One student's sheet: verdicts in the order of the parts, or why there are none.
+
+    `passed_over` names files that look like other versions of the one that was marked.
+    """
 
     student: Student
     sheet: str
     verdicts: tuple[Verdict, ...] = ()
     reason: str = ""
+    passed_over: tuple[str, ...] = ()
 
     @property
     def points(self) -> float | None:

@@ -102,6 +102,9 @@ def remark(result: Result, *, public: bool = False) -> str:
     """
     if result.reason:
         return result.reason
+    if result.passed_over:
+        names = ", ".join(result.passed_over)
+        return f"also there, and not marked: {names}"
     for verdict in result.verdicts:
         if verdict.status == "correct":
             continue

@@ -187,6 +187,9 @@ def test_a_file_has_an_end_and_so_have_all_together(level, walled):
     assert run(walled, tried("open('f', 'wb').write(bytes(17 << 20))")).value == "OSError"
     if level is Level.STRONG:
         assert run(walled, tried(f"for i in range(9):\n    {write}")).value == "OSError"
+    else:
+        code = f"import time\nfor i in range(30):\n    {write}\ntime.sleep(5)\nx = 1"
+        assert says(run(walled, code), "more files than a sheet asks for")
 
 
 def test_a_loop_that_ignores_its_alarms_is_stopped_by_the_clock(walled):
@@ -246,7 +249,7 @@ def test_a_notebook_that_is_killed_by_somebody_else_is_run_again():
         "open('left', 'w').write('x')",
         "import os\nos.makedirs('a/b')\nopen('a/b/c', 'w')\nos.mkdir('shut', 0)",
         "import os\nos.mkdir('s', 0o700)\nopen('s/f', 'w')\nos.umask(0o777)\nos.mkdir('s/t')",
-        "import os\nfor _ in range(3000):\n    os.mkdir('d')\n    os.chdir('d')",
+        "import os\nfor _ in range(1500):\n    os.mkdir('d')\n    os.chdir('d')",
         "import os\nopen('.hidden', 'w')\nos.mkdir('..data')",
     ],
 )
@@ -306,10 +309,11 @@ collect(notebook("import time\\ntime.sleep(300)"), [Ask("x")], jail=jail)
 
 
 @pytest.mark.parametrize("each", Level)
-def test_a_grader_that_is_killed_leaves_no_notebook_running(each):
+def test_a_grader_that_is_killed_leaves_no_notebook_running(each, tmp_path):
     skip_without(each)
-    script = DIES.format(tests=str(Path(__file__).parent), level=str(each))
-    with subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE) as grader:
+    command = [sys.executable, "-c", DIES.format(tests=str(Path(__file__).parent), level=str(each))]
+    env = {**os.environ, "TMPDIR": str(tmp_path)}
+    with subprocess.Popen(command, stdout=subprocess.PIPE, env=env) as grader:
         assert grader.stdout is not None
         group = int(grader.stdout.readline())
         time.sleep(0.5)
@@ -319,6 +323,7 @@ def test_a_grader_that_is_killed_leaves_no_notebook_running(each):
     while processes_of(group) and time.monotonic() < end:
         time.sleep(0.1)
     assert processes_of(group) == []
+    assert list(tmp_path.iterdir()) == []
 
 
 def without(monkeypatch, *levels):

@@ -64,7 +64,9 @@ class Submission:
             path = self.path.parent / name
             if name == self.path.name or path.stem.encode() not in self.data:
                 continue
-            if path.is_symlink() or not path.is_file() or path.stat().st_size > left:
+            if path.is_symlink() or not path.is_file() or path.stat().st_nlink > 1:
+                continue
+            if path.stat().st_size > left:
                 continue
             found[name] = path.read_bytes()
             left -= len(found[name])
@@ -148,6 +150,20 @@ def misnamed(folder: Path, student: str, sheets: Collection[str]) -> str:
         if name not in known:
             return name
     return ""
+
+
+def passed_over(
+    folder: Path, student: str, sheet: str, sheets: Collection[str], marked: Path
+) -> list[str]:
+    """Files of a student that look like another version of the one that is marked."""
+    known = {f"{other}{suffix}" for other, suffix in product(sheets, READERS) if other != sheet}
+    found: list[str] = []
+    for name in _visible_names(folder / "submitted" / student):
+        if name == marked.name or name in known or Path(name).suffix not in READERS:
+            continue
+        if name.casefold().startswith(sheet.casefold()):
+            found.append(printable(name))
+    return found
 
 
 def strangers(folder: Path, students: Collection[str]) -> list[str]:

@@ -4,6 +4,8 @@ import os
 import shutil
 
 OPEN = 0o700
+MAX_BYTES = 256 << 20  # of all files together, where no file system of its own says so
+MAX_ENTRIES = 20_000
 
 
 def fill(folder, files):
@@ -11,6 +13,27 @@ def fill(folder, files):
     for name, data in files.items():
         with open(os.path.join(folder, name), "wb") as file:
             file.write(data)
+
+
+def is_too_full(folder):
+    """Whether a folder holds more than any sheet asks for; what cannot be looked at counts."""
+    left, count = MAX_BYTES, 0
+    waiting = [folder]
+    while waiting:
+        try:
+            entries = list(os.scandir(waiting.pop()))
+            count += len(entries)
+            for entry in entries:
+                left -= entry.stat(follow_symlinks=False).st_blocks * 512
+                if entry.is_dir(follow_symlinks=False):
+                    waiting.append(entry.path)
+        except (FileNotFoundError, NotADirectoryError, PermissionError):
+            continue  # it is gone again, or nobody can write there either
+        except OSError:  # a path of more than 4096 characters
+            return True
+        if left < 0 or count > MAX_ENTRIES:
+            return True
+    return False
 
 
 def empty(folder):

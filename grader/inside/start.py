@@ -10,16 +10,18 @@ import importlib
 import json
 import os
 import select
+import shutil
 import signal
 import socket
 import sys
 
 from . import landlock
 from .attempts import leaks
-from .scratch import empty
+from .scratch import empty, is_too_full
 from .student import live, settle
 
 MAX_MESSAGE = 1 << 17
+LOOK_SECONDS = 0.5
 
 
 class House:
@@ -56,6 +58,8 @@ def main(descriptor):
             pass
     finally:
         empty(house.scratch)
+        if about["folder"]:  # the other side may be gone, and nobody else remove it
+            shutil.rmtree(about["folder"], ignore_errors=True)
 
 
 def _serve(channel, house):
@@ -74,23 +78,31 @@ def _serve(channel, house):
     handle = os.pidfd_open(pid)
     with contextlib.suppress(OSError):
         socket.send_fds(channel, [b"started"], [handle])
-    _wait(channel, handle)
+    full = _wait(channel, handle, house)
     os.close(handle)
     _, status, usage = os.wait4(pid, 0)
     with contextlib.suppress(OSError):  # without walls, it may have left others behind
         os.killpg(pid, signal.SIGKILL)
     clean = empty(house.scratch)
-    end = {"status": status, "cpu": usage.ru_utime + usage.ru_stime, "clean": clean}
+    end = {"status": status, "cpu": usage.ru_utime + usage.ru_stime, "clean": clean, "full": full}
     with contextlib.suppress(OSError):
         channel.send(json.dumps(end).encode())
     return clean
 
 
-def _wait(channel, handle):
-    """Until the process ends, or the other side does, which speaks only between two notebooks."""
-    ready, _, _ = select.select([channel, handle], [], [])
-    if handle not in ready:
-        signal.pidfd_send_signal(handle, signal.SIGKILL)
+def _wait(channel, handle, house):
+    """Until the process ends, or the other side does, which speaks only between two notebooks.
+
+    True where it was stopped because it filled its folder.
+    """
+    ready = []
+    while not ready:
+        ready, _, _ = select.select([channel, handle], [], [], LOOK_SECONDS)
+        full = not ready and is_too_full(house.scratch)
+        if full or (ready and handle not in ready):
+            signal.pidfd_send_signal(handle, signal.SIGKILL)
+            return full
+    return False
 
 
 def _tried(house, outside):

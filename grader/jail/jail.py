@@ -14,7 +14,7 @@ from .level import ON_LINUX, JailError, Level, Permission
 from .syscalls import NoFilterError
 from .zygote import End, LostError, Order, Zygote
 
-FOR_MANY = ("numpy", "sympy", "IPython.core.inputtransformer2")
+FOR_MANY = ("numpy", "sympy", "IPython.core.inputtransformer2", "matplotlib.pyplot")
 FOR_ONE = ("numpy",)  # loading what one notebook may not need takes longer than it saves
 
 

@@ -76,7 +76,7 @@ def surroundings(level: Level, packages: tuple[str, ...], preload: Sequence[str]
         about["filter"] = filter_code().hex()
     if level is Level.STRONG:
         command = (*walled(working(), packages), *_python(PACKAGES))
-        places = {"packages": PACKAGES, "scratch": SCRATCH, "readable": ["/"]}
+        places = {"packages": PACKAGES, "scratch": SCRATCH, "readable": ["/"], "folder": ""}
         return Surroundings(command, about | places)
 
     folder = _folder(packages)
@@ -86,6 +86,7 @@ def surroundings(level: Level, packages: tuple[str, ...], preload: Sequence[str]
         "packages": str(links),
         "scratch": str(folder / "scratch"),
         "readable": [str(tree) for tree in trees],
+        "folder": str(folder),
     }
     return Surroundings(_python(str(links)), about | places, str(folder))
 
@@ -109,7 +110,7 @@ def _folder(packages: tuple[str, ...]) -> Path:
 
 def remove(folder: str) -> None:
     """Removes a zygote's folder, whatever was put into it."""
-    if not folder:
+    if not folder or not Path(folder).is_dir():
         return
     try:
         shutil.rmtree(folder)

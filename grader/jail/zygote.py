@@ -19,6 +19,7 @@ MAX_FRAME = 2 << 20
 MAX_MESSAGE = 1 << 16
 MAX_STREAM = 512 << 20  # of all frames of one notebook
 START_SECONDS = 120  # a busy machine loads sympy slowly
+FULL = "the notebook wrote more files than a sheet asks for"
 TOO_MUCH = "the notebook wrote more than its answers can hold"
 END_SECONDS = 60  # until a killed process is gone and its folder is empty
 
@@ -141,7 +142,8 @@ class Zygote:
             self.close()
         status = said["status"]
         by_signal = os.WTERMSIG(status) if os.WIFSIGNALED(status) else 0
-        return replace(end, signal=by_signal, cpu=said["cpu"])
+        stopped = FULL if said["full"] else end.stopped
+        return replace(end, stopped=stopped, signal=by_signal, cpu=said["cpu"])
 
     def close(self) -> None:
         """Ends it and all that it started, and removes what it wrote."""
