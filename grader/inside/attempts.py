@@ -11,6 +11,7 @@ def leaks(house, outside):
         ("start processes", _fork),
         ("open sockets", socket.socket),
         (f"read {outside}", lambda: open(outside, "rb").close()),
+        ("list the folders around it", lambda: os.listdir("/")),  # Landlock's alone to refuse
         ("write beside its folder", lambda: _write(os.path.dirname(house.scratch))),
         ("write to the packages", lambda: _write(house.packages)),
     ):

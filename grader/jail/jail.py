@@ -11,6 +11,7 @@ from typing import Self
 
 from .bubblewrap import NoBubblewrapError
 from .level import ON_LINUX, JailError, Level, Permission
+from .packages import compiled
 from .syscalls import NoFilterError
 from .zygote import End, LostError, Order, Zygote
 
@@ -72,6 +73,7 @@ class Jail:
         try:
             return self._idle.get_nowait()
         except Empty:
+            compiled(self._preload)
             start = self._starter.submit(Zygote, self.level, self._packages, self._preload)
             return start.result()
 

@@ -1,11 +1,13 @@
 """Which packages a notebook can import: a few with all that they need, and nothing beside them."""
 
+import os
 import re
+import subprocess
 import sys
 from collections.abc import Iterable, Iterator
 from functools import cache
 from importlib.metadata import Distribution, PackageNotFoundError, distribution
-from importlib.util import find_spec
+from importlib.util import cache_from_source, find_spec
 from pathlib import Path
 
 ALWAYS = ("numpy", "sympy", "matplotlib", "scipy", "ipython")
@@ -81,6 +83,27 @@ def _found_by_import(found: Distribution) -> dict[str, Path]:
             path = path.parent
         tops[path.name] = path.resolve()
     return tops
+
+
+@cache
+def compiled(modules: tuple[str, ...]) -> None:
+    """Has Python keep the compiled form of modules, where an installer left that to the first use.
+
+    Behind read-only walls nobody could keep it, and every start would take seven seconds longer.
+    """
+    missing: list[str] = []
+    for name in modules:
+        top = importable().get(name.partition(".")[0])
+        if top is None or not (top / "__init__.py").exists():
+            continue
+        cache = Path(cache_from_source(str(top / "__init__.py")))
+        if not cache.exists() and os.access(top, os.W_OK):
+            missing.append(name)
+    if missing:
+        code = f"import {', '.join(missing)}"
+        subprocess.run(  # noqa: S603 - our own modules, as any import of them would
+            [sys.executable, "-c", code], check=False, capture_output=True
+        )
 
 
 def interpreter() -> Path:

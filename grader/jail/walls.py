@@ -11,7 +11,7 @@ from typing import Any
 
 from .bubblewrap import PACKAGES, SCRATCH, walled, working
 from .level import Level
-from .machine import DEVICES, INSIDE, readable_without_hidden
+from .machine import DEVICES, INSIDE, readable, readable_without_hidden
 from .packages import importable, interpreter
 from .syscalls import filter_code
 
@@ -76,7 +76,8 @@ def surroundings(level: Level, packages: tuple[str, ...], preload: Sequence[str]
         about["filter"] = filter_code().hex()
     if level is Level.STRONG:
         command = (*walled(working(), packages), *_python(PACKAGES))
-        places = {"packages": PACKAGES, "scratch": SCRATCH, "readable": ["/"], "folder": ""}
+        trees = {f"/{path.parts[1]}" for path in readable()} | {PACKAGES}
+        places = {"packages": PACKAGES, "scratch": SCRATCH, "readable": [*trees], "folder": ""}
         return Surroundings(command, about | places)
 
     folder = _folder(packages)
