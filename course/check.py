@@ -2,7 +2,7 @@
 
 import json
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, get_args
 
@@ -13,12 +13,14 @@ from ..exercises.files.finding import exercise_files, find
 from ..exercises.files.neighbours import is_ours
 from ..grader.collecting.ask import Ask, Limits
 from ..grader.collecting.wire import Raw
+from ..grader.jail.jail import FOR_ONE, Jail
+from ..grader.jail.level import ANY
 from ..grader.marking.mark import mark
 from ..grader.marking.own_work import Remark, readable, remarks
 from ..grader.marking.verdict import STATUS_WORDS, Verdict
 from ..grader.reading.unreadable import entries_named
 from ..solutions.errors import KinegradeError
-from .config import CourseError, Mode
+from .config import CourseError, LimitsTable, Mode, PackagesTable
 from .drawn import drawn
 from .sheet.notebook import KEY
 from .sheet.submissions import read_submission
@@ -39,6 +41,8 @@ class Handout:
     sheet: str
     mode: Mode
     numbers: Mapping[str, dict[str, Any]]
+    limits: Limits = field(default_factory=Limits)
+    packages: tuple[str, ...] = ()
 
 
 def check_file(
@@ -66,7 +70,9 @@ def check_file(
     asks: list[Ask] = []
     for exercise in installed:
         asks += submission.asks(exercise, numbers[exercise.slug])
-    raws = submission.raws(asks, Limits())
+    # Whoever checks a file runs code of their own, which they ran in Jupyter a minute ago.
+    with Jail(ANY, handout.packages, preload=FOR_ONE) as jail:
+        raws = submission.raws(asks, handout.limits, jail)
 
     found = [Remark(slug, ok=True, text=NOT_INSTALLED) for slug in missing]
     for exercise in installed:
@@ -194,7 +200,11 @@ def _handout(about: Any) -> Handout:
     mode = about["mode"]
     if mode not in get_args(Mode):
         raise ValueError(mode)
-    return Handout(str(about["sheet"]), mode, numbers)
+    limits = LimitsTable.model_validate(about.get("limits", {}))
+    packages = PackagesTable.model_validate(about.get("packages", {}))
+    return Handout(
+        str(about["sheet"]), mode, numbers, Limits(**limits.model_dump()), packages.allow
+    )
 
 
 def _of_exercise(

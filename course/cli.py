@@ -140,18 +140,42 @@ def grade(
     again: Annotated[
         bool, typer.Option("--again", help="Mark anew what is marked already.")
     ] = False,
+    accept_medium: Annotated[
+        bool,
+        typer.Option(
+            "--accept-medium", help="Run notebooks without bubblewrap where it does not work."
+        ),
+    ] = False,
+    unsafe: Annotated[
+        bool,
+        typer.Option(
+            "--unsafe",
+            help="Run notebooks without walls where none can be had; the marks say so.",
+        ),
+    ] = False,
     as_json: JsonOption = False,
 ) -> None:
     """Mark what was handed in; write grades.csv, feedback and the report."""
-    from .marking import mark_sheets, show
+    from ..grader.jail.level import Permission
+    from .marking import level_line, mark_sheets, show
     from .tables import results_json
 
     with opened(folder, place) as (course, gradebook):
         chosen = course.sheets(tuple(sheets or ()))
-        marked = mark_sheets(course, gradebook, chosen, accept_change=accept_change, again=again)
+        marked = mark_sheets(
+            course,
+            gradebook,
+            chosen,
+            accept_change=accept_change,
+            again=again,
+            permission=Permission(accept_medium, unsafe),
+        )
+        level = level_line(gradebook.noted_level())
         if not as_json:
-            show(course, marked)
+            show(course, marked, level)
             return
+        if level:
+            say(level)
         of_all_sheets: list[Result] = []
         for _, results in marked:
             of_all_sheets += results

@@ -61,9 +61,15 @@ class Sheet(_Strict):
 class LimitsTable(_Strict):
     """What one notebook may use while it is marked."""
 
-    cell_seconds: Annotated[float, Field(strict=True, gt=0, le=600)] = 5.0
-    notebook_seconds: Annotated[float, Field(strict=True, gt=0, le=3600)] = 60.0
+    cell_seconds: Annotated[float, Field(strict=True, gt=0, le=600)] = 30.0
+    notebook_seconds: Annotated[float, Field(strict=True, gt=0, le=3600)] = 180.0
     memory_mb: Annotated[int, Field(strict=True, ge=256, le=65_536)] = 2048
+
+
+class PackagesTable(_Strict):
+    """Packages that notebooks may import besides numpy, sympy, matplotlib, scipy and IPython."""
+
+    allow: tuple[Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]*$")], ...] = ()
 
 
 class MarkingTable(_Strict):
@@ -90,6 +96,7 @@ class Settings(_Strict):
     limits: LimitsTable = LimitsTable()
     marking: MarkingTable = MarkingTable()
     gradebook: GradebookTable = GradebookTable()
+    packages: PackagesTable = PackagesTable()
 
 
 @dataclass(frozen=True)
@@ -243,6 +250,7 @@ def _table(name: Any) -> type[BaseModel]:
         "limits": LimitsTable,
         "marking": MarkingTable,
         "gradebook": GradebookTable,
+        "packages": PackagesTable,
     }
     return known.get(str(name), Settings)
 

@@ -18,6 +18,7 @@ from .ledger.grades import GradeKey
 from .ledger.history import Event, history
 from .ledger.marks import Mark
 from .ledger.opening import open_ledger
+from .ledger.tables import level as levels
 from .ledger.tables import record, reference
 from .variant import Record, canonical, digest
 
@@ -87,6 +88,20 @@ class Gradebook:
     def damaged(self, sheet: str) -> dict[str, str]:
         """Students of whom a row of this sheet was read that is damaged, and a sentence on it."""
         return self._damages.of(sheet)
+
+    def note_level(self, level: str) -> None:
+        """Keeps at which level notebooks are run from now on, where it is another."""
+        if level == self.noted_level():
+            return
+        with self._database.writing() as connection:
+            number = enter(connection, Change(user(), ""))
+            connection.execute(levels.insert().values(entry=number, level=level))
+
+    def noted_level(self) -> str:
+        """At which level notebooks were run last; empty where none was."""
+        query = select(levels.c.level).order_by(levels.c.entry.desc()).limit(1)
+        with self._database.reading() as connection:
+            return connection.scalar(query) or ""
 
     def records(self, sheet: str) -> list[Record]:
         """Everything drawn for a sheet, with the answers that were accepted last."""

@@ -112,9 +112,14 @@ def _matrices(part: Part, verdict: Verdict) -> list[list[list[Cell]]]:
 
 
 def write_report(
-    course: Course, sheets: Sequence[tuple[Sheet, Sequence[Exercise], Sequence[Result]]]
+    course: Course,
+    sheets: Sequence[tuple[Sheet, Sequence[Exercise], Sequence[Result]]],
+    level: str = "",
 ) -> Path:
-    """report/index.html: the class, part by part, with maps of the robots that were asked about."""
+    """report/index.html: the class, part by part, with maps of the robots that were asked about.
+
+    `level` is a sentence on how notebooks were run.
+    """
     path = course.folder / "report" / "index.html"
     blocks: list[Block] = []
     robots: set[str] = set()
@@ -126,7 +131,7 @@ def write_report(
 
     figures = [_figure(path.parent, name) for name in sorted(robots)]
     html = template("report.html").render(
-        course=course.settings.title, sheets=blocks, figures=figures
+        course=course.settings.title, sheets=blocks, figures=figures, level=level
     )
     write_atomically(path, html)
     return path
@@ -146,6 +151,7 @@ def _sheet_block(sheet: Sheet, exercises: Sequence[Exercise], results: Sequence[
         "graded": counts["graded"],
         "waiting": counts["not_graded"],
         "missing": counts["no_submission"],
+        "unsafe": sum(result.unsafe for result in results),
     }
 
 

@@ -209,7 +209,14 @@ def _release(
 
     solution = course.folder / "solutions" / student.id / f"{sheet.name}.ipynb"
     if new or not solution.exists():
-        handout, worked = notebooks(course.settings.title, sheet, student, pairs)
+        handout, worked = notebooks(
+            course.settings.title,
+            sheet,
+            student,
+            pairs,
+            course.settings.limits,
+            course.settings.packages,
+        )
         write_atomically(solution, worked)
         if new:  # last: what is released was released in full
             write_atomically(path, handout)

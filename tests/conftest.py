@@ -7,6 +7,8 @@ import pytest
 from answers import EXERCISES, SLUGS
 from courses import BUNDLED, Kinegrade, handed_out, make_course
 from hypothesis import settings
+from kinegrade.grader.jail.jail import Jail, missing
+from kinegrade.grader.jail.level import ANY, Level, Permission
 
 settings.register_profile(
     "steady", derandomize=True
@@ -27,6 +29,24 @@ def bundled_course(tmp_path_factory):
     """One student with a sheet of our own exercises, figures and all; nobody writes to it."""
     folder = tmp_path_factory.mktemp("bundled")
     return handed_out(make_course(folder, exercises=BUNDLED, students=[("ada", "Ada Lovelace")]))
+
+
+def pytest_report_header():
+    """At which level the notebooks of tests run that do not ask for one."""
+    why = missing(Level.STRONG)
+    return f"notebooks: not at level strong, {why}" if why else "notebooks: level strong"
+
+
+if missing(Level.STRONG):  # what is not about levels is tested at the best one there is
+    PERMITTED = ANY.levels()
+    Permission.levels = lambda _: PERMITTED
+
+
+@pytest.fixture(scope="session")
+def jail():
+    """The best level that there is, for notebooks of the tests' own."""
+    with Jail(ANY) as jail:
+        yield jail
 
 
 @pytest.fixture

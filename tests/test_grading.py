@@ -16,6 +16,7 @@ from kinegrade.course import grading
 from kinegrade.course.config import CourseError, read_course
 from kinegrade.course.gradebook import Gradebook
 from kinegrade.course.grading import SheetMarker, recorded_results
+from kinegrade.course.tables import remark
 
 KILLED = """
 import os, signal, sys
@@ -498,3 +499,12 @@ def test_a_lost_gradebook_is_not_taken_for_an_empty_one(folder):
     (folder / "gradebook.sqlite").unlink()
     with pytest.raises(CourseError, match="knows nothing of sheet"):
         graded(folder)
+
+
+def test_other_versions_of_a_file_are_named_and_files_of_other_sheets_are_not(folder):
+    for name in ("one (2).ipynb", "One-final.json", "one.csv", "two.json", "notes.txt"):
+        put(folder, "ada", b"{}", name)
+    found = graded(folder)
+    assert found["ada"].passed_over == ("One-final.json", "one (2).ipynb", "one.csv")
+    assert found["ben"].passed_over == ()
+    assert remark(found["ada"]).startswith("also there, and not marked: One-final.json")

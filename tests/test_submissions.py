@@ -62,6 +62,7 @@ import kinegrade.course.check
 from kinegrade.course.config import read_course
 from kinegrade.course.gradebook import Gradebook
 from kinegrade.course.grading import SheetMarker
+sys.platform = "win32"  # not before: the standard library looks at it, too
 course = read_course(Path(sys.argv[1]))
 with Gradebook(course.folder / "gradebook.sqlite") as gradebook:
     for result in SheetMarker(course, gradebook, course.settings.sheet[0]).results():

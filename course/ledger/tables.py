@@ -113,6 +113,14 @@ counted = Table(
 )
 """Which grade counts from then on."""
 
+level = Table(
+    "level",
+    LEDGER,
+    _change(primary_key=True),
+    Column("level", String, nullable=False),
+)
+"""Behind which walls notebooks are run from then on."""
+
 mark = Table(
     "mark",
     LEDGER,

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from ...exercises.exercise import Rows
-from ..config import Sheet, Student
+from ..config import LimitsTable, Sheet, Student
 from ..escape import no_markup
 from ..words import points_text
 from .given import Pair, unit_names
@@ -18,10 +18,16 @@ HANDING_IN = (
     "all cells - the sheet is marked in that way, from top to bottom - then save and hand in this "
     "file."
 )
+TIME = (
+    "When it is marked, a cell may compute for {cell:g} s, and all cells together may take "
+    "{notebook:g} s."
+)
 ROUNDING = "Round only what you hand in, and compute on with all digits."
 
 
-def heading(course: str, sheet: Sheet, student: Student, pairs: Sequence[Pair]) -> str:
+def heading(
+    course: str, sheet: Sheet, student: Student, pairs: Sequence[Pair], limits: LimitsTable
+) -> str:
     """Markdown of a sheet's title, its student, its points, and what holds for all exercises."""
     points = sum(exercise.points for exercise, _ in pairs)
     minutes = sum(exercise.minutes for exercise, _ in pairs)
@@ -36,7 +42,9 @@ def heading(course: str, sheet: Sheet, student: Student, pairs: Sequence[Pair]) 
     if len(orders) == 1:  # else each exercise says its own
         conventions.append(f"In every Jacobian and twist {STACKED[orders.pop()]}.")
     conventions.append(ROUNDING)
-    return "\n\n".join([f"# {sheet.title or sheet.name}", about, HANDING_IN, " ".join(conventions)])
+    time = TIME.format(cell=limits.cell_seconds, notebook=limits.notebook_seconds)
+    title = f"# {sheet.title or sheet.name}"
+    return "\n\n".join([title, about, f"{HANDING_IN} {time}", " ".join(conventions)])
 
 
 def row_orders(pairs: Sequence[Pair]) -> set[Rows]:

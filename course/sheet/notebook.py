@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from ...exercises.exercise import Exercise, Manual, references
-from ..config import Sheet, Student
+from ..config import LimitsTable, PackagesTable, Sheet, Student
 from ..words import points_text
 from .given import Pair, given_cell, printed
 from .heading import heading, row_orders
@@ -23,14 +23,22 @@ SELF_CHECK = (
 
 
 def notebooks(
-    course: str, sheet: Sheet, student: Student, pairs: Sequence[Pair]
+    course: str,
+    sheet: Sheet,
+    student: Student,
+    pairs: Sequence[Pair],
+    limits: LimitsTable | None = None,
+    packages: PackagesTable | None = None,
 ) -> tuple[bytes, bytes]:
     """What the student gets, and what the instructor keeps, as the bytes of two notebooks.
+
+    Limits and packages travel with the sheet, so that a check uses what marking uses.
 
     Raises:
         ExerciseError: an exercise fails on the student's numbers, or explains a part by no steps.
     """
-    title = heading(course, sheet, student, pairs)
+    limits = limits or LimitsTable()
+    title = heading(course, sheet, student, pairs, limits)
     questions = _questions(pairs)
     handout = _handout(title, questions, sheet, pairs)
     solution = _solution(title, questions, pairs)
@@ -41,7 +49,9 @@ def notebooks(
         numbers[exercise.slug] = printed(exercise, v)
     # a notebook's keys are sorted when it is written
     order = [exercise.slug for exercise, _ in pairs]
-    handed_out = about | {"exercises": order, "numbers": numbers}
+    handed_out = about | {"exercises": order, "numbers": numbers, "limits": limits.model_dump()}
+    if packages and packages.allow:
+        handed_out["packages"] = packages.model_dump(mode="json")
 
     identity = f"{sheet.name}/{student.id}"
     return (

@@ -16,11 +16,14 @@ from ...grader.collecting.mat_file import cannot_read, from_mat
 from ...grader.collecting.named_matrices import every, from_csv, from_json
 from ...grader.collecting.other_formats import other_format
 from ...grader.collecting.wire import Raw
+from ...grader.jail.jail import Jail
 from ..config import CourseError
 from ..escape import printable
 
 log = logging.getLogger(__name__)
 MAX_BYTES = 25 << 20
+MAX_NOTEBOOK = 200 << 20  # outputs included, which are dropped before anything else
+MAX_BESIDE = 32 << 20  # of the files beside a notebook
 NOTEBOOK = ".ipynb"
 OWN_FILE = "a submission takes a file of its own"
 Reader = Callable[[bytes, Sequence[Ask], Limits], dict[str, Raw]]
@@ -56,8 +59,33 @@ class Submission:
             asks += map(Ask, part.beside.values())
         return asks
 
-    def raws(self, asks: Sequence[Ask], limits: Limits) -> dict[str, Raw]:
-        """The asked values; runs the notebook, or reads the file of matrices."""
+    def beside(self) -> dict[str, bytes]:
+        """Files in the same folder that the notebook mentions, by name: data, modules.
+
+        No links, as these may lead anywhere, and no more than a jail holds.
+        """
+        found: dict[str, bytes] = {}
+        left = MAX_BESIDE
+        if self.path.suffix != NOTEBOOK or not self.data:
+            return found
+        for name in _visible_names(self.path.parent):
+            path = self.path.parent / name
+            if name == self.path.name or path.stem.encode() not in self.data:
+                continue
+            if path.is_symlink() or not path.is_file() or path.stat().st_nlink > 1:
+                continue
+            if path.stat().st_size > left:
+                continue
+            found[name] = path.read_bytes()
+            left -= len(found[name])
+        return found
+
+    def raws(self, asks: Sequence[Ask], limits: Limits, jail: Jail | None = None) -> dict[str, Raw]:
+        """The asked values; runs the notebook, or reads the file of matrices.
+
+        Raises:
+            JailError: no notebook can run on this machine as it should.
+        """
         found: dict[str, Raw] = {}
         asked: list[Ask] = []
         for ask in asks:
@@ -69,8 +97,10 @@ class Submission:
         other = other_format(self.data)
         if other:
             return found | every(asked, other.sentence)
-        found |= READERS[self.path.suffix](self.data, asked, limits)
-        if self.path.suffix == NOTEBOOK:
+        if self.path.suffix != NOTEBOOK:
+            return found | READERS[self.path.suffix](self.data, asked, limits)
+        if asked:
+            found |= collect(self.data, asked, limits, jail=jail, beside=self.beside())
             for ask in asked:
                 if ask.calls:
                     found[ask.name] = _called(found[ask.name])
@@ -151,6 +181,20 @@ def misnamed(folder: Path, student: str, sheets: Collection[str]) -> str:
     return ""
 
 
+def passed_over(
+    folder: Path, student: str, sheet: str, sheets: Collection[str], marked: Path
+) -> list[str]:
+    """Files of a student that look like another version of the one that is marked."""
+    known = {f"{other}{suffix}" for other, suffix in product(sheets, READERS) if other != sheet}
+    found: list[str] = []
+    for name in _visible_names(folder / "submitted" / student):
+        if name == marked.name or name in known or Path(name).suffix not in READERS:
+            continue
+        if name.casefold().startswith(sheet.casefold()):
+            found.append(printable(name))
+    return found
+
+
 def strangers(folder: Path, students: Collection[str]) -> list[str]:
     """Names in submitted/ that are nobody's of the roster."""
     found: list[str] = []
@@ -199,6 +243,7 @@ def _bytes_of(path: Path) -> bytes:
     if path.exists() and not path.is_file():  # a pipe would be waited for
         raise CourseError(f"{path} cannot be read: it is not a file")
     size = path.stat().st_size
-    if size > MAX_BYTES:
-        raise CourseError(f"{path} has {size >> 20} MB; a submission may have {MAX_BYTES >> 20} MB")
+    most = MAX_NOTEBOOK if path.suffix == NOTEBOOK else MAX_BYTES
+    if size > most:
+        raise CourseError(f"{path} has {size >> 20} MB; a submission may have {most >> 20} MB")
     return path.read_bytes()

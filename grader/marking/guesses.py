@@ -1,8 +1,9 @@
 """What can be guessed counts beside own work: letters, conditions, ranks, tables in names.
 
 A letter is right by chance once in four times, a slide is zero in many a singular posture, and a
-table of lengths by their letters is right for many an arm. None of it depends on the numbers of one student, so that it earns its
-points once parts do that take those numbers. Formulas are work by themselves.
+table of lengths by their letters is right for many an arm. None of it depends on the numbers of one
+student, so that it earns its points once parts do that take those numbers. Formulas are work by
+themselves.
 """
 
 from collections.abc import Sequence

@@ -32,6 +32,7 @@ from .vouched import is_vouched
 
 MOST_TEXT = 400  # of a sentence that repeats what a student's process said
 HALF = 0.5  # of the points: what has earned less, and has no name, may be made up
+KEPT = "Your answer is kept"
 UNASKED = "Your answer is kept; the exercise cannot call a function yet: "
 BY_HAND = "It is marked by hand."
 OUR_FAILURE = "The grader failed on this part; your answer is kept."
@@ -104,7 +105,9 @@ def mark_all(sheet: Marked, raws: Mapping[str, Raw]) -> None:
     """Marks every asked part, in order, since later ones follow from earlier ones."""
     for part in sheet.key.exercise.asked:
         raw = raw_of(part, raws)
-        if isinstance(part.answer, Manual):
+        if raw.kind == "interrupted" and not getattr(part.answer, "on_paper", False):
+            verdict = not_graded(part.variable, part.points, f"{KEPT}: {raw.value}.")
+        elif isinstance(part.answer, Manual):
             verdict = _by_hand(part, raw, sheet.key.v)
         else:
             verdict = _mark_raw(sheet, part, raw)
@@ -188,7 +191,10 @@ def _with_note(verdict: Verdict, raw: Raw) -> Verdict:
 
 def _unreadable(part: Part, raw: Raw, sentence: str) -> Verdict:
     if sentence == UNANSWERED:
-        return Verdict(part.variable, "missing", 0.0, part.points)
+        hint = ()
+        if raw.kind == "missing" and raw.value:
+            hint = (Finding(f"In your file: {raw.value}."),)
+        return Verdict(part.variable, "missing", 0.0, part.points, hint)
     if sentence.startswith(UNANSWERED):  # a function as it was handed out
         return Verdict(
             part.variable, "missing", 0.0, part.points, (Finding("The function returns nothing."),)

@@ -47,13 +47,14 @@ def remarks(
         if isinstance(part.answer, Manual):
             yield _by_hand(part, part.answer, raw, v)
             continue
-        if raw.kind == "unasked":
+        if raw.kind in ("unasked", "interrupted"):
             yield Remark(part.variable, ok=True, text=f"not checked: {raw.value}")
             continue
         try:
             answer = read(part.answer, raw, v)
         except Unreadable as error:
-            yield Remark(part.variable, ok=False, text=str(error))
+            hint = f": {raw.value}" if raw.kind == "missing" and raw.value else ""
+            yield Remark(part.variable, ok=False, text=f"{error}{hint}")
             continue
         may_follow = _may_follow(exercise, part, marked.own)
         if may_follow and marker_of(part.answer).priced(part.answer, answer):

@@ -165,6 +165,11 @@ def _create_tables() -> None:
     _create_records()
     _create_grades()
     op.create_table(
+        "level",
+        _entry(primary_key=True),
+        sa.Column("level", sa.String, nullable=False),
+    )
+    op.create_table(
         "mark",
         _entry(primary_key=True),
         sa.Column("student", sa.String, primary_key=True),
