@@ -50,6 +50,7 @@ ROOMS = {
     "grader/kinds": ENGINE
     | {"exercises", "exercises/kinds", "grader/collecting", "grader/reading"},
     "grader/marking": ENGINE | {"exercises", "grader/collecting", "grader/reading", "grader/kinds"},
+    "grader/telling": ENGINE | {"exercises", "grader/kinds", "grader/marking"},
     "grader/figures": ENGINE | {"exercises"},
     # Settings and words at the bottom, sheets above them, proofs above sheets, the command on top.
     "course/ground": ENGINE,
@@ -57,10 +58,11 @@ ROOMS = {
     | {"course/ground", "exercises", "exercises/kinds", "grader/collecting", "grader/figures"},
     "course": ENGINE
     | {"course/ground", "course/sheet", "exercises", "exercises/files"}
-    | {"grader/collecting", "grader/reading", "grader/marking", "grader/figures"},
+    | {"grader/collecting", "grader/reading", "grader/marking", "grader/telling"}
+    | {"grader/figures"},
     "course/proof": ENGINE
     | {"course", "course/ground", "course/sheet", "exercises", "exercises/files"}
-    | {"grader/collecting", "grader/kinds", "grader/marking"},
+    | {"grader/collecting", "grader/kinds", "grader/marking", "grader/telling"},
     "course/command": ENGINE
     | {"course", "course/ground", "course/sheet", "course/proof", "exercises", "exercises/files"}
     | {"grader/figures"},
