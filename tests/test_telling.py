@@ -21,6 +21,7 @@ from kinegrade.grader.telling.look import Look
 from kinegrade.grader.telling.numbers import idle_numbers
 from kinegrade.grader.telling.objections import Objection, objections
 from kinegrade.grader.telling.rules import alike, passing
+from kinegrade.grader.telling.siblings import siblings
 from kinegrade.grader.telling.work import work
 
 ABSOLUTE = "Angles add along the arm."
@@ -153,12 +154,17 @@ def variant_of_inverse(seed):
 
 
 def test_draws_are_compared_with_those_of_the_same_structure():
-    """One answer alone stands in row 1, so that what the other holds is not missed there."""
     by_rows = reach(structure=("rows",))
     one = Look(by_rows, {**variant_of_reach(), "rows": 1})
     other = Look(by_rows, {**variant_of_reach(), "rows": 2})
     assert one.structure != other.structure
-    assert other.structure == Look(by_rows, {**variant_of_reach(), "rows": 2, "l1": 1.0}).structure
+    for look in (one, other):
+        assert [sibling.structure for sibling in siblings(look)] == 6 * [look.structure]
+
+
+def test_a_structure_that_is_met_once_is_compared_with_draws_of_any():
+    rare = Look(reach(structure=("rows",)), {**variant_of_reach(), "rows": 7})
+    assert len({sibling.structure for sibling in siblings(rare)}) == 2
 
 
 def test_a_record_takes_the_first_attempt_that_tells():
