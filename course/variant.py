@@ -4,6 +4,7 @@ import hashlib
 import hmac
 import json
 import logging
+from collections import Counter
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -12,10 +13,13 @@ import numpy as np
 
 from ..exercises.exercise import Exercise, ExerciseError, Part, references
 from ..exercises.files.loading import stopped
+from ..grader.telling.look import Look
+from ..grader.telling.objections import Objection, objections
 from ..solutions.errors import KinegradeError
 from .drawn import drawn
 
 ATTEMPTS = 1000
+REFUSED = 200  # draws that cannot tell right from wrong, after which it is given up
 log = logging.getLogger(__name__)
 
 
@@ -39,16 +43,19 @@ def draw_record(
     taken: Collection[str],
     pinned: Mapping[str, Any] | None = None,
 ) -> Record:
-    """The first attempt with the `pinned` choices of form whose numbers nobody else has.
+    """The first attempt with the `pinned` choices of form that can be handed out.
 
-    `taken` holds recorded numbers as `canonical` text.
+    That is one whose numbers nobody else has, and which tells right from wrong
+    (grader/telling/objections.py). `taken` holds recorded numbers as `canonical` text.
 
     Raises:
         ExerciseError: a thousand attempts drew nothing new, as the exercise has too few variants
-            for the class; or none had what is pinned; or what was drawn cannot be solved.
+            for the class; none had what is pinned; two hundred could not tell right from wrong; or
+            what was drawn cannot be solved.
     """
     pins = pinned or {}
     seen: dict[str, set[str]] = {name: set() for name in pins}
+    refused: Counter[Objection] = Counter()
     fitting = 0
     for attempt in range(ATTEMPTS):
         numbers = drawn(exercise, generator(secret, sheet, exercise.slug, student, attempt))
@@ -57,9 +64,14 @@ def draw_record(
         if not _fits(numbers, pins):
             continue
         fitting += 1
-        if canonical(numbers) not in taken:
-            answers = _solved(student, exercise, numbers)
+        if canonical(numbers) in taken:
+            continue
+        answers, objection = _solved(student, exercise, numbers)
+        if objection is None:
             return Record(student, sheet, exercise.slug, attempt, numbers, answers)
+        refused[objection] += 1
+        if refused.total() == REFUSED:
+            raise ExerciseError(too_often(exercise, refused))
 
     if fitting:
         raise ExerciseError(
@@ -69,6 +81,16 @@ def draw_record(
     raise ExerciseError(
         f"sheet {sheet}: {ATTEMPTS} draws of {exercise.slug} never gave what is pinned: "
         f"{'; '.join(gave)}"
+    )
+
+
+def too_often(exercise: Exercise, refused: Counter[Objection]) -> str:
+    """The sentence on draws that were refused so often that it is given up."""
+    objection, count = refused.most_common(1)[0]
+    return (
+        f"exercise {exercise.slug}: {refused.total()} draws were refused and none accepted, "
+        f"{count} of them for this: {objection}. Draw from other numbers; "
+        f"`kinegrade validate {exercise.slug}` shows how often each is refused"
     )
 
 
@@ -91,9 +113,14 @@ def canonical(numbers: Any) -> str:
     return json.dumps(numbers, sort_keys=True, separators=(",", ":"))
 
 
-def _solved(student: str, exercise: Exercise, numbers: dict[str, Any]) -> dict[str, Any]:
+def _solved(
+    student: str, exercise: Exercise, numbers: dict[str, Any]
+) -> tuple[dict[str, Any], Objection | None]:
+    """The fingerprint of a draw, or what speaks against it."""
     try:
-        return fingerprint(exercise, numbers)
+        look = Look(exercise, numbers)
+        answers = fingerprint(exercise, numbers, look.key.reference)
+        return answers, next(objections(look), None)
     except KinegradeError:
         raise
     except Exception as error:
@@ -104,12 +131,16 @@ def _solved(student: str, exercise: Exercise, numbers: dict[str, Any]) -> dict[s
         ) from error
 
 
-def fingerprint(exercise: Exercise, numbers: dict[str, Any]) -> dict[str, Any]:
+def fingerprint(
+    exercise: Exercise, numbers: dict[str, Any], answers: Mapping[str, Any] | None = None
+) -> dict[str, Any]:
     """Every reference answer that can be pictured as numbers, rounded to 1e-9.
 
-    It moves when a file, a row of a robot or a library changes an answer.
+    It moves when a file, a row of a robot or a library changes an answer. `answers` are the
+    reference answers, where they are known already.
     """
-    answers = references(exercise, numbers)
+    if answers is None:
+        answers = references(exercise, numbers)
     pictures: dict[str, Any] = {}
     for part in exercise.parts:
         picture = _picture(part, answers[part.variable], numbers)

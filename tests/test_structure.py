@@ -55,6 +55,7 @@ ROOMS = {
     "grader/marking": ENGINE
     | {"exercises", "exercises/kinds", "grader/collecting", "grader/reading", "grader/kinds"}
     | {"grader/diagnosis"},
+    "grader/telling": ENGINE | {"exercises", "grader/kinds", "grader/marking"},
     "grader/figures": ENGINE | {"exercises"},
     # Settings and words at the bottom, sheets above them, proofs above sheets, the command on top.
     "course/ground": ENGINE | {"grader/collecting"},
@@ -66,10 +67,11 @@ ROOMS = {
     "course/ledger/migrations/versions": set(),
     "course": ENGINE
     | {"course/ground", "course/sheet", "course/ledger", "exercises", "exercises/files"}
-    | {"grader/collecting", "grader/jail", "grader/reading", "grader/marking", "grader/figures"},
+    | {"grader/collecting", "grader/jail", "grader/reading", "grader/marking", "grader/telling"}
+    | {"grader/figures"},
     "course/proof": ENGINE
     | {"course", "course/ground", "course/sheet", "exercises", "exercises/files"}
-    | {"grader/collecting", "grader/jail", "grader/kinds", "grader/marking"},
+    | {"grader/collecting", "grader/jail", "grader/kinds", "grader/marking", "grader/telling"},
     "course/command": ENGINE
     | {"course", "course/ground", "course/sheet", "course/proof", "exercises", "exercises/files"}
     | {"grader/figures", "grader/jail"},

@@ -1,10 +1,12 @@
 """What validating one exercise found: its failures, chunk after chunk put together."""
 
 import json
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any
 
 from .draw import Failure
+from .telling import Telling, all_told
 
 KINDS = (
     "solve",
@@ -33,6 +35,8 @@ class Validation:
     failures: tuple[Failure, ...]
     named: tuple[str, ...] = ()
     source: str = ""
+    telling: Telling = field(default_factory=Telling)
+    harder: Mapping[str, Sequence[Any]] = field(default_factory=dict[str, Sequence[Any]])
 
 
 Looked = tuple[Validation, list[str]]
@@ -52,6 +56,7 @@ def together(results: Sequence[Looked]) -> Validation:
         first,
         draws=sum(validation.draws for validation, _ in results),
         seconds_to_draw=max(validation.seconds_to_draw for validation, _ in results),
+        telling=all_told([validation.telling for validation, _ in results]),
         failures=(*failures, *_alike(texts), *_never_drawn(first.named, texts)),
     )
 

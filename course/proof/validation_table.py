@@ -11,6 +11,7 @@ from rich.markup import escape
 from rich.table import Table
 
 from ..console import say
+from .telling_table import telling_lines, telling_table
 from .validation import KINDS, Validation, summary
 
 WIDE = 180  # columns, where no terminal says how many it has
@@ -20,6 +21,12 @@ def show_validations(validations: Sequence[Validation]) -> None:
     """One line for every exercise on stdout, then the first failures of each."""
     console = Console() if sys.stdout.isatty() else Console(width=WIDE)
     console.print(table_of(validations))
+    loaded = [validation for validation in validations if validation.draws]
+    if loaded:
+        console.print(telling_table(loaded))
+    for validation in loaded:
+        for line in telling_lines(validation):
+            print(f"· {validation.slug}: {line}")  # noqa: T201 - data of the command
 
     failed = 0
     for validation in validations:
