@@ -4,20 +4,20 @@ import json
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
-from itertools import chain, count
+from itertools import chain
 from typing import Any, Literal
 
 import numpy as np
 
 from ...exercises.answers import Variant
-from ...exercises.exercise import Exercise, ExerciseError
+from ...exercises.exercise import Exercise
 from ...grader.telling.look import Look
 from ...grader.telling.numbers import idle_numbers
 from ...grader.telling.objections import Objection, objections
 from ...grader.telling.rules import alike, known_rules, passing
 from ...grader.telling.work import work
 from ..drawn import drawn, prove_drawn
-from ..variant import REFUSED, too_often
+from ..variant import REFUSED
 
 Kind = Literal[
     "refused for a rule",
@@ -81,21 +81,23 @@ class Telling:
 def accepted(exercise: Exercise, seed: int) -> tuple[dict[str, Any], list[tuple[Objection, ...]]]:
     """The first draw of a seed that can be handed out, and what spoke against those before it.
 
+    Where many cannot, it is the one against which least speaks, as for a student.
+
     Raises:
-        ExerciseError: draw fails, or gives other numbers when it is called again, or none of two
-            hundred draws can be handed out.
+        ExerciseError: draw fails, or gives other numbers when it is called again.
     """
     refused: list[tuple[Objection, ...]] = []
-    for attempt in count():
+    draws: list[dict[str, Any]] = []
+    for attempt in range(REFUSED):
         v = drawn(exercise, _generator(seed, attempt))
         prove_drawn(exercise, _generator(seed, attempt), v)
         against = tuple(objections(Look(exercise, v)))
         if not against:
             return v, refused
         refused.append(against)
-        if len(refused) == REFUSED:
-            break
-    raise ExerciseError(too_often(exercise, Counter(first for first, *_ in refused)))
+        draws.append(v)
+    least = min(range(REFUSED), key=lambda i: len(refused[i]))
+    return draws[least], refused
 
 
 def _generator(seed: int, attempt: int) -> np.random.Generator:

@@ -104,7 +104,7 @@ def _with_guesses(paths: Sequence[Path], validations: Sequence[Validation]) -> l
     completed: list[Validation] = []
     for path, validation in zip(paths, validations, strict=True):
         more = found.get(path, [])
-        completed.append(replace(validation, failures=(*validation.failures, *more)))
+        completed.append(replace(validation, guessing=tuple(more)))
     return completed
 
 
@@ -125,8 +125,7 @@ def _validated(paths: Sequence[Path], draws: int, step: Callable[[int], None]) -
 
 def validate_file(path: Path, draws: int) -> Validation:
     """The validation of one exercise file, in this process."""
-    (validation,) = _with_guesses([path], [together([_look_at(path, range(draws))])])
-    return validation
+    return together([_look_at(path, range(draws))])
 
 
 def _one(path: Path, draws: int, step: Callable[[int], None]) -> Validation:

@@ -17,7 +17,6 @@ KINDS = (
     "render",
     "solution",
     "variants",
-    "guessing",
 )
 ENOUGH = 10  # draws in which everything that some variants have should be seen
 MOST_ALIKE = 0.05  # share of draws that may repeat an earlier one
@@ -25,7 +24,11 @@ MOST_ALIKE = 0.05  # share of draws that may repeat an earlier one
 
 @dataclass(frozen=True)
 class Validation:
-    """What looking at some draws of one exercise found."""
+    """What looking at some draws of one exercise found.
+
+    What guessing earns too much of is told in `guessing` and is no failure: whether it matters is
+    for the instructor to say.
+    """
 
     slug: str
     parts: int
@@ -37,6 +40,7 @@ class Validation:
     source: str = ""
     telling: Telling = field(default_factory=Telling)
     harder: Mapping[str, Sequence[Any]] = field(default_factory=dict[str, Sequence[Any]])
+    guessing: tuple[Failure, ...] = ()
 
 
 Looked = tuple[Validation, list[str]]
@@ -88,14 +92,14 @@ def _never_drawn(named: Sequence[str], texts: Sequence[str]) -> Iterator[Failure
 def summary(validation: Validation) -> Iterator[str]:
     """One line for every part and kind of failure: how often, and the first of it."""
     groups: dict[tuple[str, str], list[Failure]] = {}
-    for failure in validation.failures:
+    for failure in (*validation.failures, *validation.guessing):
         groups.setdefault((failure.kind, failure.part), []).append(failure)
 
     for (kind, part), failures in groups.items():
         where = [kind]
         if part:
             where.append(part)
-        if validation.draws:  # else the file could not be loaded
+        if validation.draws and kind != "guessing":  # else the file could not be loaded
             draws = {failure.seed for failure in failures}
             where.append(f"in {len(draws)} of {validation.draws} draws, first {min(draws)}")
         yield f"{', '.join(where)}: {failures[0].sentence}"

@@ -40,7 +40,7 @@ def table_of(validations: Sequence[Validation]) -> Table:
     """A column for each thing that was looked at: ✓, or how many draws failed; and the source."""
     table = Table(header_style="bold", pad_edge=False, box=SIMPLE_HEAD)
     table.add_column("exercise", no_wrap=True)
-    for name in ("parts", "points", "draws", "slowest draw", *KINDS):
+    for name in ("parts", "points", "draws", "slowest draw", *KINDS, "guessing"):
         table.add_column(name, justify="right", no_wrap=True)
     table.add_column("source")
     for validation in validations:
@@ -61,6 +61,7 @@ def _outcomes(validation: Validation) -> Iterator[str]:
     for kind in KINDS:
         failed = {failure.seed for failure in validation.failures if failure.kind == kind}
         yield f"✗ {len(failed)}" if failed else "✓"
+    yield "!" if validation.guessing else "✓"
 
 
 def validations_json(validations: Sequence[Validation]) -> str:
