@@ -36,7 +36,8 @@ class _Strict(BaseModel):
 class Sheet(_Strict):
     """One hand-out: its exercises in order, and what a check may tell before the deadline.
 
-    With `matlab`, students get a script to start from beside the notebook. `pinned` holds, by
+    With `matlab`, students get a script to start from beside the notebook. With `show_solutions`,
+    which is for after the deadline, the feedback holds the worked solution. `pinned` holds, by
     exercise, the choices of form that all students shall have alike, so that points mean the same
     for everybody.
     """
@@ -45,6 +46,7 @@ class Sheet(_Strict):
     title: str = ""
     mode: Mode = "graded"
     matlab: bool = False
+    show_solutions: bool = False
     exercises: Annotated[tuple[str, ...], Field(min_length=1)]
     pinned: Mapping[str, Mapping[str, Any]] = {}
 
@@ -78,10 +80,11 @@ class Settings(_Strict):
 
 @dataclass(frozen=True)
 class Student:
-    """One line of roster.csv."""
+    """One line of roster.csv; `more` are its other columns, name and text of each."""
 
     id: str
     name: str
+    more: tuple[tuple[str, str], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -230,6 +233,7 @@ def read_roster(path: Path) -> Iterator[Student]:
 
 def _students(path: Path, rows: "csv.DictReader[str]") -> Iterator[Student]:
     columns = _columns(path, rows)
+    others = [column for column in columns if column not in ("", "student", "name")]
     seen: dict[str, int] = {}
     for row in rows:
         place = f"{path}, line {rows.line_num}"
@@ -251,7 +255,8 @@ def _students(path: Path, rows: "csv.DictReader[str]") -> Iterator[Student]:
         if folder in seen:
             raise CourseError(f"{place}: student {student!r} is already in line {seen[folder]}")
         seen[folder] = rows.line_num
-        yield Student(student, cells["name"] or student)
+        more = [(column, text) for column, text in cells.items() if column in others]
+        yield Student(student, cells["name"] or student, tuple(more))
 
 
 def _columns(path: Path, rows: "csv.DictReader[str]") -> list[str]:

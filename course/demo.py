@@ -12,7 +12,7 @@ from .console import progress
 from .files import write_atomically
 from .gradebook import Gradebook
 from .habits import HABITS, Answers, Code, Habit, Spoil
-from .marking import mark_sheets, show
+from .marking import mark_sheets, marked_sheets, show
 from .marks import by_hand, enter
 from .secret import FILE
 from .sheets import exercises_of, generate
@@ -50,7 +50,7 @@ def run_demo(folder: Path) -> None:
             generate(course, gradebook, course.settings.sheet, step)
         for sheet in course.settings.sheet:
             hand_in(course, gradebook, sheet)
-        mark_sheets(course, gradebook, course.settings.sheet)
+        marked_sheets(course, gradebook, course.settings.sheet)
         mark_by_hand(course, gradebook)
         show(course, mark_sheets(course, gradebook, course.settings.sheet))
     first = course.students[0].id

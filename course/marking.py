@@ -1,9 +1,8 @@
 """A marking run: progress while it goes, then grades.csv, feedback, report and the table."""
 
 import sys
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
 
 from rich.console import Console
 from rich.text import Text
@@ -11,13 +10,15 @@ from rich.text import Text
 from ..solutions.errors import KinegradeError
 from .config import Course, Sheet
 from .console import progress, say
+from .feedback import write_all_feedback
 from .files import write_atomically
 from .gradebook import Gradebook
+from .grades import SheetResults, grades_csv
 from .grading import Result, SheetMarker, recorded_results
-from .pages import write_feedback, write_report
+from .report import write_report
 from .sheet.submissions import strangers
-from .sheets import asked_parts, exercises_of
-from .tables import grades_csv, legend, terminal_table
+from .sheets import exercises_of
+from .tables import legend, terminal_table
 
 Marked = list[tuple[Sheet, list[Result]]]
 """Sheets with the results of the roster."""
@@ -32,6 +33,20 @@ def mark_sheets(
     again: bool = False,
 ) -> Marked:
     """Marks sheets with a progress bar and writes all that follows from the marks."""
+    marked = marked_sheets(course, gradebook, sheets, accept_change=accept_change, again=again)
+    write_results(course, gradebook, _with_recorded(course, gradebook, marked))
+    return marked
+
+
+def marked_sheets(
+    course: Course,
+    gradebook: Gradebook,
+    sheets: Sequence[Sheet],
+    *,
+    accept_change: bool = False,
+    again: bool = False,
+) -> Marked:
+    """Marks sheets with a progress bar; the marks stand in the gradebook and nowhere else."""
     roster = {student.id for student in course.students}
     for name in strangers(course.folder, roster):
         folder = course.folder / "submitted" / name
@@ -42,7 +57,6 @@ def mark_sheets(
         for sheet in sheets:
             marker = SheetMarker(course, gradebook, sheet, accept_change=accept_change, again=again)
             marked.append((sheet, marker.results(step)))
-    write_results(course, _with_recorded(course, gradebook, marked))
     return marked
 
 
@@ -84,24 +98,21 @@ def write_recorded(course: Course, gradebook: Gradebook) -> Path:
     Raises:
         KinegradeError: no sheet can be read.
     """
-    return write_results(course, _with_recorded(course, gradebook, []))
+    return write_results(course, gradebook, _with_recorded(course, gradebook, []))
 
 
-def write_results(course: Course, marked: Iterable[tuple[Sheet, Sequence[Result]]]) -> Path:
+def write_results(course: Course, gradebook: Gradebook, marked: Marked) -> Path:
     """grades.csv, one feedback page per student and sheet, and the report; the report's path."""
-    pages: list[Any] = []
+    sheets: list[SheetResults] = []
     for sheet, results in marked:
-        exercises = exercises_of(course, sheet)
-        name = "grades.csv"
-        if len(course.settings.sheet) > 1:
-            name = f"grades-{sheet.name}.csv"
-        table = grades_csv(results, list(asked_parts(exercises)))
-        write_atomically(course.folder / name, table)
-        for result in results:
-            if result.verdicts:
-                write_feedback(course, sheet, exercises, result)
-        pages.append((sheet, exercises, results))
-    return write_report(course, pages)
+        sheets.append(SheetResults(sheet, exercises_of(course, sheet), results))
+    write_atomically(course.folder / "grades.csv", grades_csv(sheets))
+
+    pages = sum(bool(result.verdicts) for sheet in sheets for result in sheet.results)
+    with progress("Writing feedback", pages) as step:
+        for sheet in sheets:
+            write_all_feedback(course, gradebook, sheet, step)
+    return write_report(course, sheets)
 
 
 def show(course: Course, marked: Sequence[tuple[Sheet, Sequence[Result]]]) -> None:

@@ -27,6 +27,15 @@ class Result:
         return round(sum(known), 2)
 
     @property
+    def status(self) -> str:
+        """graded, not_graded or no_submission."""
+        if self.points is not None:
+            return "graded"
+        if self.verdicts:
+            return "not_graded"
+        return "no_submission"
+
+    @property
     def out_of(self) -> float:
         """Points that could be had."""
         return sum(verdict.out_of for verdict in self.verdicts)

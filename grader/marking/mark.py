@@ -27,7 +27,17 @@ from .follow import (
 from .following import OwnAnswers, following
 from .judge import judged
 from .price import Bill
-from .verdict import Finding, Status, Verdict, not_graded
+from .verdict import (
+    CHARGED,
+    COMPARED,
+    ENTRIES_FOLLOW,
+    FOLLOWS,
+    NOTHING_FOLLOWS,
+    Finding,
+    Status,
+    Verdict,
+    not_graded,
+)
 
 MOST_TEXT = 400  # of a sentence that repeats what a student's process said
 HALF = 0.5  # of the points: what has earned less, and has no name, may be made up
@@ -211,7 +221,7 @@ def _verdict(sheet: Marked, part: Part, answer: Any) -> Verdict:
     _charge(sheet, part, own)
     verdict = _written(part, own, answer)
     if follows.why:
-        return _with_finding(verdict, f"Nothing follows {follows.why}.")
+        return _with_finding(verdict, f"{NOTHING_FOLLOWS} {follows.why}.")
     return verdict
 
 
@@ -243,7 +253,7 @@ def _judge(sheet: Marked, part: Part, wanted: Wanted, answer: Any) -> _Judged:
     if not told:
         notes = (*notes, *(name.sentence for name in names))
     if before and share > found.share:
-        notes = (*notes, f"It was charged in {before} already.")
+        notes = (*notes, f"{CHARGED} {before} already.")
     return _Judged(found, names, max(found.share, share), notes)
 
 
@@ -280,11 +290,11 @@ def _written_following(sheet: Marked, part: Part, followed: _Judged, answer: Any
         return _written(part, followed, answer, "correct" if all_right else None)
     status = "follows" if all_right and part.follow == 1 else None
     verdict = _written(part, followed, answer, status, part.follow)
-    says = "It was compared with what follows"
+    says = COMPARED
     if all_right:
-        says = "It follows"
+        says = FOLLOWS
     elif followed.found.share:
-        says = "The entries marked right follow"
+        says = ENTRIES_FOLLOW
     return _with_finding(verdict, f"{says} from your own {wrong}.")
 
 

@@ -1,0 +1,151 @@
+"""grades.csv: one line a student, all sheets of the course, for a spreadsheet or a registrar."""
+
+import csv
+import io
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from ..exercises.exercise import Exercise
+from .config import Sheet, Student
+from .escape import no_formula
+from .results import Result
+from .sheets import asked_parts
+
+BOM = "\ufeff"
+"""Tells a spreadsheet that the file is UTF-8."""
+
+
+@dataclass(frozen=True)
+class SheetResults:
+    """One sheet as it was marked: its exercises, and a result for everybody of the roster."""
+
+    sheet: Sheet
+    exercises: Sequence[Exercise]
+    results: Sequence[Result]
+
+    @property
+    def parts(self) -> list[str]:
+        """The variables that are asked, in the order of the sheet."""
+        return list(asked_parts(self.exercises))
+
+    @property
+    def is_due(self) -> bool:
+        """Whether anybody has marks, or an answer that waits for them."""
+        return any(result.verdicts for result in self.results)
+
+    @property
+    def out_of(self) -> float:
+        """Points that could be had."""
+        return sum(exercise.points for exercise in self.exercises)
+
+
+@dataclass(frozen=True)
+class Total:
+    """What one student has of the course so far.
+
+    Attributes:
+        student: Whose it is.
+        points: Of all sheets; None while a part waits for its mark, or where nothing came in.
+        out_of: Points of all sheets for which anybody has marks.
+        missing: Names of those sheets that the student did not hand in.
+        status: graded, incomplete (a sheet is missing), not_graded or no_submission.
+    """
+
+    student: Student
+    points: float | None
+    out_of: float
+    missing: tuple[str, ...]
+    status: str
+
+    @property
+    def percent(self) -> float | None:
+        """Points of a hundred, one decimal; None where there are no points."""
+        if self.points is None or not self.out_of:
+            return None
+        return round(100 * self.points / self.out_of, 1)
+
+
+def totals(sheets: Sequence[SheetResults]) -> list[Total]:
+    """The course total of every student, in the order of the roster."""
+    if not sheets:
+        return []
+    due = [sheet for sheet in sheets if sheet.is_due]
+    out_of = sum(sheet.out_of for sheet in due)
+    found: list[Total] = []
+    for i, result in enumerate(sheets[0].results):
+        own = [sheet.results[i] for sheet in due]
+        found.append(_total(result.student, own, out_of))
+    return found
+
+
+def _total(student: Student, own: Sequence[Result], out_of: float) -> Total:
+    handed_in = [result for result in own if result.verdicts]
+    missing = tuple(result.sheet for result in own if not result.verdicts)
+    if not handed_in:
+        return Total(student, None, out_of, missing, "no_submission")
+    points = 0.0
+    for result in handed_in:
+        if result.points is None:
+            return Total(student, None, out_of, missing, "not_graded")
+        points += result.points
+    status = "incomplete" if missing else "graded"
+    return Total(student, round(points, 2), out_of, missing, status)
+
+
+def grades_csv(sheets: Sequence[SheetResults]) -> str:
+    """Every cell quoted; a grade that is not there is empty, never a zero.
+
+    The columns of the roster come first, then the course total, then sheet by sheet its points, its
+    status and its parts.
+    """
+    out = io.StringIO()
+    writer = csv.writer(out, quoting=csv.QUOTE_ALL, lineterminator="\n")
+    people = totals(sheets)
+    writer.writerow(_header(sheets, people))
+    for i, total in enumerate(people):
+        row = [total.student.id, no_formula(total.student.name)]
+        row += [no_formula(text) for _, text in total.student.more]
+        row += [_number(total.points), _number(total.out_of), _number(total.percent), total.status]
+        for sheet in sheets:
+            row += _sheet_cells(sheet, sheet.results[i])
+        writer.writerow(row)
+    return BOM + out.getvalue()
+
+
+def _header(sheets: Sequence[SheetResults], people: Sequence[Total]) -> list[str]:
+    columns = ["student", "name"]
+    if people:
+        columns += [no_formula(column) for column, _ in people[0].student.more]
+    columns += ["points", "out_of", "percent", "status"]
+    counts = Counter(part for sheet in sheets for part in sheet.parts)
+    for sheet in sheets:
+        name = sheet.sheet.name
+        columns += [f"{name}_points", f"{name}_out_of", f"{name}_status"]
+        columns += _part_columns(name, sheet.parts, counts)
+    return columns
+
+
+def _part_columns(sheet: str, parts: Iterable[str], counts: Counter[str]) -> list[str]:
+    """The parts by their variables; one that is on several sheets with the sheet before it."""
+    columns: list[str] = []
+    for part in parts:
+        if counts[part] > 1:
+            columns.append(f"{sheet}/{part}")
+        else:
+            columns.append(part)
+    return columns
+
+
+def _sheet_cells(sheet: SheetResults, result: Result) -> list[str]:
+    out_of = result.out_of if result.verdicts else None
+    earned = {verdict.part: verdict.points for verdict in result.verdicts}
+    cells = [_number(result.points), _number(out_of), result.status]
+    cells += [_number(earned.get(part)) for part in sheet.parts]
+    return cells
+
+
+def _number(points: float | None) -> str:
+    if points is None:
+        return ""
+    return f"{points:g}"
