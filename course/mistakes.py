@@ -11,8 +11,10 @@ from .sheets import asked_parts
 
 UNNAMED = "Wrong, and no known mistake fits."
 WRONG = ("partly", "incorrect", "failed")
-PLACE = re.compile(r": (?:matrix|row|column|entry|rows|columns|entries) \d[^.]*\.$")
+ONE = r"(?:matrix|row|column|entry) \d+"
+PLACE = re.compile(rf"(:|, first at)? {ONE}(?:(?:, | and ){ONE})*")
 """Where in a matrix it is; the same mistake stands elsewhere for others."""
+SHAPES = re.compile(r"^Takes shape \([^)]*\), got \([^)]*\): ")
 
 
 @dataclass(frozen=True)
@@ -63,7 +65,7 @@ def _told(sheet: SheetResults) -> Found:
             continue
         named = [finding for finding in verdict.findings if _names(finding)]
         for finding in named:
-            yield PLACE.sub(".", _first_line(finding)), verdict.part, student
+            yield _anywhere(_first_line(finding)), verdict.part, student
         if not named:
             yield UNNAMED, verdict.part, student
 
@@ -98,6 +100,13 @@ def _verdicts(sheet: SheetResults) -> Iterator[tuple[str, Verdict]]:
 def _first_line(finding: Finding) -> str:
     """The sentence, without the typed lines behind it."""
     return finding.text.partition("\n")[0]
+
+
+def _anywhere(sentence: str) -> str:
+    """A sentence without the place in a matrix, and the shapes, of which it speaks."""
+    said = SHAPES.sub("", sentence)
+    said = PLACE.sub(lambda found: "" if found[1] else " one entry", said)
+    return said[:1].upper() + said[1:]
 
 
 def _gathered(sheets: Iterable[SheetResults], search: Search) -> list[Mistake]:

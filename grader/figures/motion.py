@@ -70,10 +70,16 @@ def motion(
         return None
     for drawing in drawings:
         vectors = tuple(_vectors(drawing, right, answer, angular_first, given))
-        wrong = tuple(vector for vector in vectors if _differs(vector))
+        wrong = [vector for vector in vectors if _differs(vector)]
         if wrong:
-            return Motion(drawing, wrong)
+            # Of a Jacobian, only the velocities or else only the axes: both are too much at once.
+            first = [vector for vector in wrong if vector.index == "" or _is_like(vector, wrong[0])]
+            return Motion(drawing, tuple(first))
     return None
+
+
+def _is_like(one: Vector, other: Vector) -> bool:
+    return one.symbol == other.symbol
 
 
 def _vectors(

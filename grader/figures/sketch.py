@@ -13,7 +13,7 @@ from .scene import FONTS
 from .vectors import Array, norm, quarter_turned, unit
 from .view import camera
 
-WIDTH, HEIGHT = 320.0, 270.0
+WIDTH, HEIGHT = 320.0, 300.0
 MARGIN = 34.0  # [px] round the arm and the tips of its vectors
 LONGEST = 84.0  # [px] of the longest vector of a kind
 MOST = 8  # vectors of one sketch
