@@ -54,7 +54,7 @@ def test_the_row_of_a_table_is_part_of_the_mistake(marked):
 
 def test_the_most_frequent_stand_first_and_what_has_no_name_last(marked):
     found = mistakes(marked(["Rare"], [], [], [], ["Often"], ["Often"]))
-    assert [one.sentence for one in found] == ["often", "Rare", UNNAMED]
+    assert [one.sentence for one in found] == ["Often", "Rare", UNNAMED]
     assert [len(one.students) for one in found] == [2, 1, 3]
 
 

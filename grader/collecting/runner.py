@@ -41,6 +41,7 @@ NAMED_TYPES = {"dict": "a dict", "function": "a function", "NoneType": "None", "
 
 HARMLESS_MAGICS = {
     "matplotlib", "pylab", "precision", "load_ext", "autoreload", "config", "reset", "pip", "conda",
+    "check",
 }  # fmt: skip
 TIMING_MAGICS = {"time", "timeit"}
 IPYTHON_LINE = re.compile(r"^\s*[%!?]|\?\s*$|=\s*[%!]", re.MULTILINE)
