@@ -4,6 +4,7 @@ import hashlib
 import os
 import sys
 from collections.abc import Iterable
+from dataclasses import fields
 from functools import cache
 from importlib.metadata import version
 from pathlib import Path
@@ -71,7 +72,8 @@ def cache_folder() -> Path:
 
 def _key(arm: Robot) -> str:
     """A short name of what is drawn and of what draws it, so that nothing old is shown."""
-    drawn = f"{_drawing_code()} {sorted(vars(arm).items())}"
+    data = [getattr(arm, field.name) for field in fields(arm)]  # not what is cached beside it
+    drawn = f"{_drawing_code()} {data}"
     return hashlib.sha256(drawn.encode()).hexdigest()[:12]
 
 
