@@ -114,26 +114,14 @@ def write_feedback(
 
 
 def _exercise_block(own: _Own) -> Block:
-    solutions: dict[str, Block] = {}
-    if own.solved and own.record is not None:
-        solutions = _solutions(own.exercise, own.record.numbers)
-
-    parts: list[Block] = []
+    parts = _part_blocks(own)
     earned, waits = 0.0, False
     for part in own.exercise.asked:
-        verdict = own.verdicts.get(part.variable)
-        if verdict is None:
+        if part.variable not in own.verdicts:
             continue
-        block = feedback_block(part, verdict)
-        if own.record is not None:
-            figure = explained(own.exercise, part, own.record, verdict)
-            shown = [other.get("figure") for other in parts]
-            block["figure"] = None if figure in shown else figure
-        block["solution"] = solutions.get(part.variable)
-        parts.append(block)
-        earned += verdict.points or 0.0
-        waits = waits or verdict.points is None
-
+        worth = own.verdicts[part.variable].points
+        earned += worth or 0.0
+        waits = waits or worth is None
     numbers = None if own.record is None else own.record.numbers
     points = f"{round(earned, 2):g}"
     if waits:
@@ -145,6 +133,29 @@ def _exercise_block(own: _Own) -> Block:
         "position": position(own.exercise, numbers),
         "parts": parts,
     }
+
+
+def _part_blocks(own: _Own) -> list[Block]:
+    """Every part that has a verdict, with its figure and, where it is shown, its solution."""
+    solutions: dict[str, Block] = {}
+    if own.solved and own.record is not None:
+        solutions = _solutions(own.exercise, own.record.numbers)
+
+    blocks: list[Block] = []
+    figures: list[Any] = [None]
+    for part in own.exercise.asked:
+        verdict = own.verdicts.get(part.variable)
+        if verdict is None:
+            continue
+        block = feedback_block(part, verdict)
+        block["solution"] = solutions.get(part.variable)
+        if own.record is not None:
+            figure = explained(own.exercise, part, own.record, verdict)
+            if figure not in figures:  # the same motion is asked in several ways
+                figures.append(figure)
+                block["figure"] = figure
+        blocks.append(block)
+    return blocks
 
 
 def feedback_block(part: Part, verdict: Verdict) -> Block:

@@ -32,12 +32,20 @@ class SheetResults:
     @property
     def is_due(self) -> bool:
         """Whether anybody has marks, or an answer that waits for them."""
-        return any(result.verdicts for result in self.results)
+        return any(map(_has_verdicts, self.results))
 
     @property
     def out_of(self) -> float:
         """Points that could be had."""
-        return sum(exercise.points for exercise in self.exercises)
+        return sum(map(_points, self.exercises))
+
+
+def _has_verdicts(result: Result) -> bool:
+    return bool(result.verdicts)
+
+
+def _points(exercise: Exercise) -> float:
+    return exercise.points
 
 
 @dataclass(frozen=True)
@@ -71,7 +79,9 @@ def totals(sheets: Sequence[SheetResults]) -> list[Total]:
     if not sheets:
         return []
     due = [sheet for sheet in sheets if sheet.is_due]
-    out_of = sum(sheet.out_of for sheet in due)
+    out_of = 0.0
+    for sheet in due:
+        out_of += sheet.out_of
     found: list[Total] = []
     for i, result in enumerate(sheets[0].results):
         own = [sheet.results[i] for sheet in due]
@@ -80,17 +90,21 @@ def totals(sheets: Sequence[SheetResults]) -> list[Total]:
 
 
 def _total(student: Student, own: Sequence[Result], out_of: float) -> Total:
-    handed_in = [result for result in own if result.verdicts]
-    missing = tuple(result.sheet for result in own if not result.verdicts)
-    if not handed_in:
-        return Total(student, None, out_of, missing, "no_submission")
-    points = 0.0
-    for result in handed_in:
-        if result.points is None:
-            return Total(student, None, out_of, missing, "not_graded")
-        points += result.points
-    status = "incomplete" if missing else "graded"
-    return Total(student, round(points, 2), out_of, missing, status)
+    points, missing, status = 0.0, list[str](), "graded"
+    for result in own:
+        if not result.verdicts:
+            missing.append(result.sheet)
+        elif result.points is None:
+            status = "not_graded"
+        else:
+            points += result.points
+
+    if len(missing) == len(own):
+        status = "no_submission"
+    elif missing and status == "graded":
+        status = "incomplete"
+    known = round(points, 2) if status in ("graded", "incomplete") else None
+    return Total(student, known, out_of, tuple(missing), status)
 
 
 def grades_csv(sheets: Sequence[SheetResults]) -> str:
@@ -118,7 +132,9 @@ def _header(sheets: Sequence[SheetResults], people: Sequence[Total]) -> list[str
     if people:
         columns += [no_formula(column) for column, _ in people[0].student.more]
     columns += ["points", "out_of", "percent", "status"]
-    counts = Counter(part for sheet in sheets for part in sheet.parts)
+    counts: Counter[str] = Counter()
+    for sheet in sheets:
+        counts.update(sheet.parts)
     for sheet in sheets:
         name = sheet.sheet.name
         columns += [f"{name}_points", f"{name}_out_of", f"{name}_status"]
@@ -139,9 +155,8 @@ def _part_columns(sheet: str, parts: Iterable[str], counts: Counter[str]) -> lis
 
 def _sheet_cells(sheet: SheetResults, result: Result) -> list[str]:
     out_of = result.out_of if result.verdicts else None
-    earned = {verdict.part: verdict.points for verdict in result.verdicts}
     cells = [_number(result.points), _number(out_of), result.status]
-    cells += [_number(earned.get(part)) for part in sheet.parts]
+    cells.extend(map(_number, map(result.earned.get, sheet.parts)))
     return cells
 
 

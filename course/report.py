@@ -28,14 +28,11 @@ ODD = 0.1  # a discrimination below says that something is the matter with the q
 def write_report(course: Course, sheets: Sequence[SheetResults]) -> Path:
     """report/index.html, and beside it the page of the robots that were asked about."""
     folder = course.folder / "report"
-    robots: set[str] = set()
-    for sheet in sheets:
-        robots |= {exercise.robot for exercise in sheet.exercises if exercise.robot}
     title = course.settings.title
     people = totals(sheets)
     html = template("report.html").render(
         course=title,
-        maps=write_maps(folder, title, robots),
+        maps=write_maps(folder, title, _robots(sheets)),
         total=_total_block(people),
         names={student.id: student.name for student in course.students},
         next=_next_week(sheets),
@@ -48,10 +45,18 @@ def write_report(course: Course, sheets: Sequence[SheetResults]) -> Path:
     return path
 
 
+def _robots(sheets: Sequence[SheetResults]) -> set[str]:
+    """Names of the robots with a map that exercises are about."""
+    robots: set[str] = set()
+    for sheet in sheets:
+        for exercise in sheet.exercises:
+            robots.add(exercise.robot or "")
+    return robots - {""}
+
+
 def _total_block(people: Sequence[Total]) -> Block:
     shares = [total.percent / 100 for total in people if total.percent is not None]
-    counts = Counter(total.status for total in people)
-    return {"counts": counts, **_spread_block(shares, "course totals")}
+    return _spread_block(shares, "course totals")
 
 
 def _spread_block(shares: Sequence[float], of: str) -> Block:
@@ -72,23 +77,31 @@ def _percent(share: float | None) -> str:
 
 def _next_week(sheets: Sequence[SheetResults]) -> Block:
     """What fits the first screen: what waits, who is missing, what to talk about."""
-    away: list[tuple[str, str, list[str]]] = []
     numbers: list[PartNumbers] = []
     for sheet in sheets:
         numbers += part_numbers(sheet)
-        if sheet.is_due:
-            name = sheet.sheet.title or sheet.sheet.name
-            away += [(name, reason, who) for reason, who in absent(sheet).items()]
-    hard = sorted((one for one in numbers if _is_hard(one)), key=_facility)
-    odd = [one for one in numbers if _is_odd(one)]
+    hard = sorted(filter(_is_hard, numbers), key=_facility)
+    odd = list(filter(_is_odd, numbers))
     return {
         "waiting": waiting(*sheets),
-        "absent": away,
+        "absent": _absent(sheets),
         "notes": private_notes(*sheets),
         "mistakes": to_talk_about(sheets, TALKED_ABOUT),
         "hard": [_part_block(part) for part in hard[:TALKED_ABOUT]],
         "odd": [_part_block(part) for part in odd[:TALKED_ABOUT]],
     }
+
+
+def _absent(sheets: Sequence[SheetResults]) -> list[tuple[str, str, list[str]]]:
+    """Sheet, reason and students, of the sheets of which anything was marked."""
+    away: list[tuple[str, str, list[str]]] = []
+    for sheet in sheets:
+        if not sheet.is_due:
+            continue
+        name = sheet.sheet.title or sheet.sheet.name
+        for reason, students in absent(sheet).items():
+            away.append((name, reason, students))
+    return away
 
 
 def _is_hard(part: PartNumbers) -> bool:

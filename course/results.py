@@ -36,6 +36,11 @@ class Result:
         return "no_submission"
 
     @property
+    def earned(self) -> dict[str, float | None]:
+        """Points by part; None where a part waits for its mark."""
+        return {verdict.part: verdict.points for verdict in self.verdicts}
+
+    @property
     def out_of(self) -> float:
         """Points that could be had."""
         return sum(verdict.out_of for verdict in self.verdicts)

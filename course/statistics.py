@@ -69,9 +69,9 @@ def part_numbers(sheet: SheetResults) -> list[PartNumbers]:
     """Every part of a sheet, in its order."""
     earned: dict[str, list[float | None]] = {name: [] for name in sheet.parts}
     for result in sheet.results:
-        points = {verdict.part: verdict.points for verdict in result.verdicts}
+        own = result.earned
         for name, column in earned.items():
-            column.append(points.get(name))
+            column.append(own.get(name))
 
     found: list[PartNumbers] = []
     for exercise in sheet.exercises:

@@ -15,6 +15,7 @@ from kinegrade.course.gradebook import Mark
 from kinegrade.course.grading import Result
 from kinegrade.course.marks import answer_id, with_marks
 from kinegrade.course.own_sheet import own_questions
+from kinegrade.course.position import position
 from kinegrade.course.sentences import sentence
 from kinegrade.course.variant import Record, fingerprint
 from kinegrade.exercises.exercise import (
@@ -174,11 +175,23 @@ def test_a_wrong_motion_is_drawn_beside_the_arms_own(course, slug, variable, spo
     assert not re.search(r"\d\.\d", sketch)  # whole pixels: it tells no numbers
 
 
-def test_the_map_shows_the_own_q_where_the_robot_is_the_drawn_one(course):
+@pytest.mark.parametrize("slug", ["three_axis", "inverse_velocities", "pseudoinverse", "statics"])
+def test_the_map_shows_the_own_q_on_the_arm_that_is_drawn(course, slug):
+    text = feedback(course, EXERCISES[slug], [], v=variant_of(slug))
+    assert text.count('class="own-map"') == 1
+    assert "your q</text>" in text
+
+
+@pytest.mark.parametrize("slug", ["find_the_mistake", "implement_it", "cross_products"])
+def test_there_is_no_map_where_the_exercise_has_no_robot_with_one(course, slug):
+    assert 'class="own-map"' not in feedback(course, EXERCISES[slug], [], v=variant_of(slug))
+
+
+def test_there_is_no_map_of_another_arm_than_the_drawn_one():
     exercise, v = EXERCISES["three_axis"], variant_of("three_axis")
-    assert "your q</text>" in feedback(course, exercise, [], v=v)
-    other = EXERCISES["find_the_mistake"]
-    assert "your q</text>" not in feedback(course, other, [], v=variant_of(other.slug))
+    assert position(exercise, v) is not None
+    assert position(replace(exercise, robot="planar_3r"), v) is None
+    assert position(replace(exercise, drawings=lambda _: ()), v) is None
 
 
 def test_the_solution_is_part_of_it_where_the_sheet_shows_it(course, exercise):
