@@ -1,9 +1,10 @@
 """A student's feedback: own question and answer, what was found, points, and the rules."""
 
+import logging
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from markupsafe import Markup
 
@@ -27,6 +28,8 @@ from .tables import MARKS, result_text
 from .variant import Record
 from .words import points_text, share_text
 
+log = logging.getLogger(__name__)
+T = TypeVar("T")
 Block = dict[str, Any]
 """What a template shows of one thing, by the names that it uses."""
 Records = Mapping[str, Record]
@@ -84,7 +87,7 @@ def write_feedback(
     released = course.folder / "released" / student.id / f"{sheet.name}.ipynb"
     drawn = records or {}
     numbers = {slug: record.numbers for slug, record in drawn.items()}
-    questions = own_questions(released, exercises, numbers)
+    questions = _or_nothing("question", own_questions, released, exercises, numbers) or {}
     verdicts = {verdict.part: verdict for verdict in result.verdicts}
     blocks: list[Block] = []
     for exercise in exercises:
@@ -130,16 +133,28 @@ def _exercise_block(own: _Own) -> Block:
         "title": own.exercise.title,
         "points": f"{points} of {points_text(own.exercise.points)}",
         "question": Markup(own.question),  # noqa: S704 - the exercise's own text and numbers
-        "position": position(own.exercise, numbers),
+        "position": _or_nothing("map", position, own.exercise, numbers),
         "parts": parts,
     }
+
+
+def _or_nothing(what: str, make: Callable[..., T], *of: Any) -> T | None:
+    """What is made; None where it cannot be, as of an exercise that was edited since.
+
+    A student's points do not wait for a picture.
+    """
+    try:
+        return make(*of)
+    except Exception:
+        log.exception("a %s is left out of the feedback", what)
+        return None
 
 
 def _part_blocks(own: _Own) -> list[Block]:
     """Every part that has a verdict, with its figure and, where it is shown, its solution."""
     solutions: dict[str, Block] = {}
     if own.solved and own.record is not None:
-        solutions = _solutions(own.exercise, own.record.numbers)
+        solutions = _or_nothing("solution", _solutions, own.exercise, own.record.numbers) or {}
 
     blocks: list[Block] = []
     figures: list[Any] = [None]
@@ -150,7 +165,7 @@ def _part_blocks(own: _Own) -> list[Block]:
         block = feedback_block(part, verdict)
         block["solution"] = solutions.get(part.variable)
         if own.record is not None:
-            figure = explained(own.exercise, part, own.record, verdict)
+            figure = _or_nothing("figure", explained, own.exercise, part, own.record, verdict)
             if figure not in figures:  # the same motion is asked in several ways
                 figures.append(figure)
                 block["figure"] = figure

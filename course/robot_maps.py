@@ -1,6 +1,7 @@
 """The page of the robots that a course asks about: their maps, drawn once and kept."""
 
 import hashlib
+import logging
 import os
 import sys
 from collections.abc import Iterable
@@ -15,13 +16,19 @@ from .files import write_atomically
 from .pages import template, write_page
 from .rules import reached
 
+log = logging.getLogger(__name__)
 DRAWS = "kinegrade.grader.figures.maps"
 """What the maps are drawn by, with all that it imports."""
 
 
 def write_maps(folder: Path, title: str, robots: Iterable[str]) -> str:
     """report/robots.html with a map of each robot; its name, empty where there is none."""
-    figures = [_figure(folder, name) for name in sorted(robots)]
+    figures: list[dict[str, str]] = []
+    for name in sorted(robots):
+        try:
+            figures.append(_figure(folder, name))
+        except Exception:  # a report does not wait for a picture
+            log.exception("the map of %s is left out of the report", name)
     if not figures:
         return ""
     html = template("robots.html").render(course=title, figures=figures)

@@ -194,6 +194,26 @@ def test_there_is_no_map_of_another_arm_than_the_drawn_one():
     assert position(replace(exercise, drawings=lambda _: ()), v) is None
 
 
+def test_an_exercise_that_fails_since_costs_its_pictures_and_no_page(course, caplog):
+    exercise, v = EXERCISES["three_axis"], variant_of("three_axis")
+    answers = references(exercise, v)
+    answers["three_axis_z"] = -answers["three_axis_z"]
+    verdicts = mark(exercise, v, raws_of(exercise, v, answers))
+    record = Record("ada", "one", exercise.slug, 0, v, fingerprint(exercise, v))
+
+    def edited(_):
+        raise ZeroDivisionError
+
+    broken = replace(exercise, drawings=edited)
+    result = Result(ADA, "one", tuple(verdicts))
+    one = sheet(exercises=(exercise.slug,))
+    path = write_feedback(course, one, [broken], result, {exercise.slug: record})
+    text = path.read_text(encoding="utf-8")
+    assert len(sections(text)) == len(exercise.asked)
+    assert "<svg" not in text
+    assert "a question is left out of the feedback" in caplog.text
+
+
 def test_the_solution_is_part_of_it_where_the_sheet_shows_it(course, exercise):
     v, _, verdicts = spoiled(exercise)
     before = feedback(course, exercise, verdicts, v=v)

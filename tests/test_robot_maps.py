@@ -96,3 +96,15 @@ def test_a_map_is_on_the_disk_before_it_takes_the_place_of_another(tmp_path, dra
     )
     write_maps(tmp_path / "second", "Tests", PLANAR)
     assert done == ["synced", ".png", "synced", ".txt", "synced", ".html"]
+
+
+def test_a_map_that_fails_costs_neither_the_others_nor_the_report(
+    tmp_path, drawn, monkeypatch, caplog
+):
+    def picture(arm, _):
+        return b"png" if arm.name == "puma560" else 1 / 0
+
+    monkeypatch.setattr("kinegrade.grader.figures.maps.picture", picture)
+    assert write_maps(tmp_path, "Tests", ["puma560", *PLANAR]) == "robots.html"
+    assert [name.partition("-")[0] for name in pngs(tmp_path)] == ["puma560"]
+    assert "the map of planar_2r is left out" in caplog.text
