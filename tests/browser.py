@@ -53,7 +53,7 @@ def browser():
     pytest.skip(NO_BROWSER)
 
 
-def looked_at(folder, pages, widths):
+def looked_at(folder, pages, widths, *options):
     """What axe-core finds on every page at every width, and whether it is wider than that.
 
     `pages` are names and texts; the result has "name width" as keys.
@@ -76,7 +76,7 @@ def looked_at(folder, pages, widths):
         f'<script type="text/plain" id="axe">{axe}</script><script>{LOOK}</script></body>',
         encoding="utf-8",
     )
-    dumped = dom(command, folder, harness)
+    dumped = dom(command, folder, harness, *options)
     start = dumped.index('<pre id="found">') + len('<pre id="found">')
     told = json.loads(html.unescape(dumped[start : dumped.index("</pre>", start)]))
     return {one["name"]: one for one in told}

@@ -19,8 +19,9 @@ from kinegrade.exercises.exercise import references
 from kinegrade.grader.marking.mark import mark
 from kinegrade.grader.marking.verdict import Finding, Verdict, not_graded
 
-SLUGS = ("three_axis", "rrt", "find_the_mistake", "implement_it")
+SLUGS = ("three_axis", "rrt", "puma_velocities", "implement_it")
 WIDTHS = (1280, 390)
+DARK = ("--blink-settings=preferredColorScheme=0",)
 HARMLESS = ("minor", "moderate")
 SEARCHED = """
 const table = document.querySelector("#students ~ div table");
@@ -69,7 +70,10 @@ def report(course, monkeypatch):
 
 
 @pytest.mark.slow
-def test_axe_finds_nothing_serious_on_any_page_on_a_desk_and_on_a_phone(tmp_path, monkeypatch):
+@pytest.mark.parametrize("options", [(), DARK], ids=["light", "dark"])
+def test_axe_finds_nothing_serious_on_any_page_on_a_desk_and_on_a_phone(
+    tmp_path, monkeypatch, options
+):
     course = read_course(make_course(tmp_path))
     pages = {slug: feedback(course, slug, solved=slug == "rrt") for slug in SLUGS}
     index = report(course, monkeypatch)
@@ -77,7 +81,7 @@ def test_axe_finds_nothing_serious_on_any_page_on_a_desk_and_on_a_phone(tmp_path
     pages["robots"] = index.with_name("robots.html").read_text(encoding="utf-8")
     pages["preview"] = preview_page(EXERCISES["statics"], 1)
 
-    found = looked_at(tmp_path, pages, WIDTHS)
+    found = looked_at(tmp_path, pages, WIDTHS, *options)
     assert len(found) == len(pages) * len(WIDTHS)
     for name, seen in found.items():
         assert [one for one in seen["violations"] if one[0] not in HARMLESS] == [], name

@@ -175,6 +175,16 @@ def test_a_wrong_motion_is_drawn_beside_the_arms_own(course, slug, variable, spo
     assert not re.search(r"\d\.\d", sketch)  # whole pixels: it tells no numbers
 
 
+def test_the_same_motion_is_drawn_once(course):
+    exercise, v = EXERCISES["three_axis"], variant_of("three_axis")
+    answers = references(exercise, v)
+    for name in ("three_axis_z", "three_axis_B"):
+        answers[name] = -answers[name]
+    text = feedback(course, exercise, mark(exercise, v, raws_of(exercise, v, answers)), v=v)
+    assert text.count('class="sketch"') == 1
+    assert 'class="sketch"' in sections(text)["three_axis_z"]
+
+
 @pytest.mark.parametrize("slug", ["three_axis", "inverse_velocities", "pseudoinverse", "statics"])
 def test_the_map_shows_the_own_q_on_the_arm_that_is_drawn(course, slug):
     text = feedback(course, EXERCISES[slug], [], v=variant_of(slug))
