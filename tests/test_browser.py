@@ -31,6 +31,7 @@ const told = { before: first() };
 press(1); told.rising = first(); told.sort = table.tHead.rows[0].cells[1].getAttribute("aria-sort");
 press(1); told.falling = first();
 const search = document.querySelector("input.search");
+told.seen = search.checkVisibility();
 search.value = "BEN"; search.dispatchEvent(new Event("input"));
 told.found = [...table.tBodies[0].rows].filter((row) => row.checkVisibility()).map((row) => row.cells[0].textContent.trim());
 document.body.innerHTML = "";
@@ -100,6 +101,7 @@ def test_the_report_sorts_by_any_column_and_finds_students(tmp_path, monkeypatch
     assert [name[:3] for name in said["rising"]] == ["cyd", "dan", "ada", "ben"]
     assert [name[:3] for name in said["falling"]] == ["ben", "ada", "cyd", "dan"]
     assert said["sort"] == "ascending"
+    assert said["seen"]
     assert [name[:3] for name in said["found"]] == ["ben"]
 
 

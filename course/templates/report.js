@@ -18,7 +18,7 @@ function sort(table, column, heading) {
   table.tBodies[0].append(...rows);
 }
 for (const search of document.querySelectorAll("input.search")) {
-  search.parentElement.classList.remove("hidden");
+  search.closest("p").classList.remove("hidden");
   search.addEventListener("input", () => {
     const sought = search.value.toLowerCase();
     for (const row of document.querySelectorAll("tr.student")) {
