@@ -37,7 +37,7 @@ def _environment() -> Environment:
     environment.globals["style"] = Markup(_template_text("style.css"))  # noqa: S704 - our own file
     environment.globals["script"] = Markup(script)  # noqa: S704 - our own file
     environment.globals["script_hash"] = Markup(f"sha256-{digest}")  # noqa: S704 - hexadecimal
-    environment.globals["day"] = DAY
+    environment.globals["day"] = Markup(DAY)  # noqa: S704 - one character
     return environment
 
 

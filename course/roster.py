@@ -53,13 +53,16 @@ def read_roster(path: Path) -> Iterator[Student]:
 
 
 def _columns(path: Path, rows: Iterator[Row]) -> list[str]:
-    """The names in the first line that is not empty, in small letters."""
+    """The names in the first line that is not empty; those that we look for in small letters."""
     heading: list[str] = []
     for row in rows:
         heading = [cell.strip() for cell in row.cells]
         if any(heading):
             break
-    columns = [cell.lower() for cell in heading]
+    columns: list[str] = []
+    for cell in heading:
+        small = cell.lower()
+        columns.append(small if small in COLUMNS else cell)
     found = ", ".join(heading) or "nothing"
     for column in COLUMNS:
         if columns.count(column) == 0:
