@@ -230,12 +230,11 @@ def test_every_import_is_a_declared_dependency():
 def test_the_package_list_is_the_folders():
     """An unlisted sub-package works in an editable installation and is missing from the wheel."""
     folders = sorted({str(path.parent) for path in MODULES})
-    assert sorted(SETUPTOOLS["packages"]) == [
-        f"kinegrade.{folder.replace('/', '.')}" for folder in folders
-    ]
-    assert SETUPTOOLS["package-dir"] == {
-        f"kinegrade.{folder.replace('/', '.')}": folder for folder in folders
-    }
+    named = {f"kinegrade.{folder.replace('/', '.')}": folder for folder in folders}
+    named["kinegrade"] = "kinegrade"  # what `%load_ext kinegrade` loads, and nothing else
+    assert sorted(SETUPTOOLS["packages"]) == sorted(named)
+    assert SETUPTOOLS["package-dir"] == named
+    assert [path.name for path in (ROOT / "kinegrade").glob("*.py")] == ["__init__.py"]
     assert all((ROOT / folder / "__init__.py").exists() for folder in folders)
 
 

@@ -13,8 +13,9 @@ from ...grader.marking.answer_key import AnswerKey
 from ...grader.marking.mark import mark
 from ..drawn import drawn
 from ..escape import no_markup
+from ..feedback import feedback_block
 from ..markdown import markdown_html
-from ..pages import feedback_block, template
+from ..pages import template
 from ..sheet.notebook import given_cell, prompt_text, question_text, worked_steps
 from ..words import points_text
 from .draw import raws_of

@@ -8,7 +8,7 @@ from ..config import LimitsTable, PackagesTable, Sheet, Student
 from ..words import points_text
 from .given import Pair, given_cell, printed
 from .heading import heading, row_orders
-from .notebook_file import code_cell, markdown_cell, notebook_file
+from .notebook_file import code_cell, folded_cell, markdown_cell, notebook_file
 from .question import prompt_text, question_text
 from .self_check import self_check
 from .worked import worked_steps
@@ -18,7 +18,8 @@ KEY = "kinegrade"
 IMPORTS = "import numpy as np"
 FOR_THE_INSTRUCTOR = "**Worked solution, for the instructor.**"
 SELF_CHECK = (
-    "## Self-check\n\nRun this cell at any time. It sees what is there, not whether it is right."
+    "## Self-check\n\nRun the folded cell below at any time. It sees what is there, not whether it "
+    "is right. Where Kinegrade is installed, `%load_ext kinegrade` and then `%check` say more."
 )
 
 
@@ -80,7 +81,7 @@ def _handout(
         cells += _blanks(exercise, hints=sheet.mode != "exam")
 
     asked = [part for exercise, _ in pairs for part in exercise.asked]
-    return [*cells, markdown_cell(SELF_CHECK), code_cell(self_check(asked))]
+    return [*cells, markdown_cell(SELF_CHECK), folded_cell(self_check(asked))]
 
 
 def _blanks(exercise: Exercise, *, hints: bool) -> Iterator[Any]:
