@@ -14,8 +14,10 @@ from .config import Course, CourseError, Sheet, Student, hint
 from .files import write_atomically
 from .gradebook import Gradebook
 from .secret import read_secret
+from .sheet.assignment import Assignment
+from .sheet.given import printed
 from .sheet.matlab import starter
-from .sheet.notebook import notebooks, printed
+from .sheet.notebook import notebooks
 from .variant import Record, canonical, draw_record
 
 
@@ -177,16 +179,17 @@ def _release(
 ) -> Released:
     path = _released(course, sheet, student)
     new = not path.exists()
-    numbers = [record.numbers for record in records]
-    pairs = list(zip(exercises, numbers, strict=True))
+    assignments: list[Assignment] = []
+    for exercise, record in zip(exercises, records, strict=True):
+        assignments.append(Assignment(exercise, record.numbers))
 
     script = path.with_name(f"{sheet.name}.m")
     if sheet.matlab and not script.exists():
-        write_atomically(script, starter(course.settings.title, sheet, student, pairs))
+        write_atomically(script, starter(course.settings.title, sheet, student, assignments))
 
     solution = course.folder / "solutions" / student.id / f"{sheet.name}.ipynb"
     if new or not solution.exists():
-        handout, worked = notebooks(course.settings.title, sheet, student, pairs)
+        handout, worked = notebooks(course.settings.title, sheet, student, assignments)
         write_atomically(solution, worked)
         if new:  # last: what is released was released in full
             write_atomically(path, handout)

@@ -157,7 +157,8 @@ class Exercise:
     measured against. `named` are the names of which every one is drawn for some student. `robot`
     names a robot of the catalogue whose map stands in the report. `rows` is the order of rows in
     every Jacobian and twist of the exercise: what the sheet says of it and what findings say follow
-    it; `solve` and the units of an answer stand in that order themselves.
+    it; `solve` and the units of an answer stand in that order themselves. `solved_drawings` are the
+    figures that only the worked solution shows.
     """
 
     slug: str
@@ -177,6 +178,7 @@ class Exercise:
     drawings: Callable[[Variant], tuple[Drawing, ...]] = field(default=lambda _: ())
     rows: Rows = "linear, angular"
     named: tuple[str, ...] = ()
+    solved_drawings: Callable[[Variant], tuple[Drawing, ...]] = field(default=lambda _: ())
 
     def __post_init__(self) -> None:
         """Refuse what could not be collected, marked or printed.

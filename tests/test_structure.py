@@ -55,11 +55,13 @@ ROOMS = {
     "course/ground": ENGINE,
     "course/sheet": ENGINE
     | {"course/ground", "exercises", "exercises/kinds", "grader/collecting", "grader/figures"},
+    "course/typeset": ENGINE | {"course/ground", "course/sheet", "exercises", "exercises/kinds"},
     "course": ENGINE
-    | {"course/ground", "course/sheet", "exercises", "exercises/files"}
+    | {"course/ground", "course/sheet", "course/typeset", "exercises", "exercises/files"}
     | {"grader/collecting", "grader/reading", "grader/marking", "grader/figures"},
     "course/proof": ENGINE
-    | {"course", "course/ground", "course/sheet", "exercises", "exercises/files"}
+    | {"course", "course/ground", "course/sheet", "course/typeset"}
+    | {"exercises", "exercises/files"}
     | {"grader/collecting", "grader/kinds", "grader/marking"},
     "course/command": ENGINE
     | {"course", "course/ground", "course/sheet", "course/proof", "exercises", "exercises/files"}
@@ -72,7 +74,7 @@ ROOM_OF = {
     **dict.fromkeys(
         [
             f"course/{name}"
-            for name in ("config", "console", "escape", "files", "formulas", "words")
+            for name in ("config", "console", "escape", "files", "formulas", "markdown", "words")
         ],
         "course/ground",
     ),

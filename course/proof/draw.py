@@ -22,7 +22,9 @@ from ...solutions.errors import KinegradeError
 from ..complaints import debugging, marking_failures
 from ..config import Sheet, Student
 from ..formulas import page_text
-from ..sheet.notebook import notebooks, worked_steps
+from ..sheet.assignment import Assignment
+from ..sheet.notebook import notebooks
+from ..sheet.worked import worked_steps
 from .nonsense import NONSENSE
 from .solved import unasked, unsolved
 
@@ -192,6 +194,8 @@ def _unsolved(exercise: Exercise, v: dict[str, Any], key: AnswerKey, seed: int) 
     if seed >= RENDERED:
         return
     sheet = Sheet(name="validate", exercises=(exercise.slug,))
-    _, solution = notebooks("validate", sheet, Student("validate", "validate"), [(exercise, v)])
+    _, solution = notebooks(
+        "validate", sheet, Student("validate", "validate"), [Assignment(exercise, v)]
+    )
     if seed == 0:
         yield from unsolved(exercise, v, key, solution, known)
