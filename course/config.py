@@ -14,6 +14,8 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from ..solutions.errors import KinegradeError, did_you_mean
 
 Mode = Literal["practice", "graded", "exam"]
+Format = Literal["ipynb", "pdf"]
+"""What a sheet and its worked solution are written as."""
 SAFE_NAME = re.compile(r"[A-Za-z0-9]([A-Za-z0-9._-]{0,62}[A-Za-z0-9_-])?")
 DEVICE = re.compile(r"(con|prn|aux|nul|com[0-9]|lpt[0-9])(\..*)?", re.IGNORECASE)
 """No file can be called so on Windows."""
@@ -72,6 +74,7 @@ class Settings(_Strict):
     # Of older courses; the secret has a file of its own.
     secret: Annotated[str, Field(min_length=16)] | None = None
     sheet: Annotated[tuple[Sheet, ...], Field(min_length=1)]
+    formats: Annotated[tuple[Format, ...], Field(min_length=1)] = ("ipynb",)
     limits: LimitsTable = LimitsTable()
     marking: MarkingTable = MarkingTable()
 

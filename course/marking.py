@@ -1,7 +1,7 @@
 """A marking run: progress while it goes, then grades.csv, feedback, report and the table."""
 
 import sys
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -16,7 +16,7 @@ from .gradebook import Gradebook
 from .grading import Result, SheetMarker, recorded_results
 from .pages import write_feedback, write_report
 from .sheet.submissions import strangers
-from .sheets import asked_parts, exercises_of
+from .sheets import asked_parts, exercises_of, renew_solutions
 from .tables import grades_csv, legend, terminal_table
 
 Marked = list[tuple[Sheet, list[Result]]]
@@ -41,9 +41,23 @@ def mark_sheets(
     with progress("Marking", len(course.students) * len(sheets)) as step:
         for sheet in sheets:
             marker = SheetMarker(course, gradebook, sheet, accept_change=accept_change, again=again)
+            _renew_solutions(course, gradebook, sheet, marker.accepted)
             marked.append((sheet, marker.results(step)))
     write_results(course, _with_recorded(course, gradebook, marked))
     return marked
+
+
+def _renew_solutions(
+    course: Course, gradebook: Gradebook, sheet: Sheet, students: Collection[str]
+) -> None:
+    """Brings worked solutions up to the answers that were accepted, and says so."""
+    if not students:
+        return
+    renewed = renew_solutions(course, gradebook, sheet, students)
+    say(
+        f"Sheet {sheet.name}: answers of {len(students)} students changed, which was accepted; "
+        f"{renewed} worked solutions were written again. Hand them out again, too."
+    )
 
 
 def _with_recorded(course: Course, gradebook: Gradebook, marked: Marked) -> Marked:

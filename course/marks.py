@@ -27,7 +27,7 @@ __all__ = [
 ]
 COLUMNS: tuple[str, ...] = (
     "student", "sheet", "part", "points", "out_of",
-    "comment", "answer", "key", "rubric", "answer_id",
+    "comment", "answer", "key", "rubric", "answer_id", "code",
 )  # fmt: skip
 NEEDED = (
     "student",
@@ -128,6 +128,7 @@ def _row(one: ByHand) -> dict[str, str]:
         "key": no_formula(one.key),
         "rubric": no_formula("; ".join(rubric)),
         "answer_id": one.answer_id,
+        "code": one.code,
     }
 
 

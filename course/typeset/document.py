@@ -200,7 +200,11 @@ def _solution(one: Assignment, part: Part) -> Data:
         lines: list[str] = []
         for points, text in part.answer.rubric:
             lines.append(f"{points_text(points)}: {text}")
-        return {"steps": steps, "rubric": lines, "key": answer, "code": ""}
+        key = "" if steps else answer
+        return {"steps": steps, "rubric": lines, "key": key, "code": ""}
+
+    if isinstance(part.answer, Choice):
+        return {"steps": steps, "rubric": [], "key": f"Answer: {answer}", "code": ""}
 
     code = ""
     if not steps or not isinstance(part.answer, Numbers):  # of numbers, the last step shows them

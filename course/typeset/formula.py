@@ -33,14 +33,19 @@ FENCES = {"[": "]", "(": ")", "{": "}", "|": "|", "‖": "‖"}
 class Formula:
     """A formula as Typst's mathematics, and in words for those who cannot see it.
 
-    `pieces` are the formulas that stand side by side in it, with wide spaces between them. One that
-    is `breakable` holds no matrix, so that a line may end at any of its signs.
+    `pieces` are the formulas that stand side by side in it, with wide spaces between them. `rows`
+    are those of its tallest matrix.
     """
 
     typst: str
     alt: str
     pieces: tuple["Formula", ...] = ()
-    breakable: bool = False
+    rows: int = 0
+
+    @property
+    def breakable(self) -> bool:
+        """Whether a line may end at any of its signs."""
+        return not self.rows
 
 
 @lru_cache(maxsize=4096)
@@ -59,8 +64,8 @@ def formula(latex: str) -> Formula:
 
 
 def _formula(root: Element) -> Formula:
-    breakable = root.find(".//{*}mtable") is None
-    return Formula(_set(root), spoken(root), breakable=breakable)
+    heights = [len(rows(table)) for table in root.iterfind(".//{*}mtable")]
+    return Formula(_set(root), spoken(root), rows=max(heights, default=0))
 
 
 def _set(element: Element) -> str:

@@ -6,6 +6,7 @@ from importlib.resources import files
 from threading import Lock
 from typing import TYPE_CHECKING, Any, cast
 
+from ...solutions.errors import KinegradeError
 from .document import Data
 
 if TYPE_CHECKING:
@@ -14,6 +15,11 @@ if TYPE_CHECKING:
 TEMPLATE = "sheet.typ"
 ACCESSIBLE = ["ua-1"]
 """PDF/UA-1, for which Typst refuses a formula or a figure without a description."""
+
+
+class TypesettingError(KinegradeError):
+    """A document that Typst refuses."""
+
 
 _one_at_a_time = Lock()  # a compiler refuses to be entered by two threads
 
@@ -34,18 +40,31 @@ def pdf(data: Data) -> bytes:
     """A document as PDF.
 
     Raises:
-        typst.TypstError: the data cannot be set.
+        TypesettingError: the data cannot be set.
     """
     return cast("bytes", _compiled(data, format="pdf", timestamp=0, pdf_standards=ACCESSIBLE))
 
 
 def pages(data: Data, ppi: float = 72.0) -> list[bytes]:
-    """The pages of a document as PNG, to be looked at."""
-    drawn = _compiled(data, format="png", ppi=ppi)
-    return drawn if isinstance(drawn, list) else [cast("bytes", drawn)]
+    """The pages of a document as PNG, to be looked at.
+
+    Raises:
+        TypesettingError: the data cannot be set.
+    """
+    drawn: Any = _compiled(data, format="png", ppi=ppi)
+    if isinstance(drawn, bytes):  # a single page
+        return [drawn]
+    return drawn
 
 
 def _compiled(data: Data, **options: Any) -> Any:
+    from typst import TypstError
+
     inputs = {"data": json.dumps(data, ensure_ascii=False)}
     with _one_at_a_time:
-        return _compiler().compile(_template(), sys_inputs=inputs, **options)
+        try:
+            return _compiler().compile(_template(), sys_inputs=inputs, **options)
+        except TypstError as error:
+            raise TypesettingError(
+                f"sheet {data['title']} of {data['student']} cannot be set: {error}"
+            ) from error

@@ -12,6 +12,8 @@ Block = dict[str, Any]
 """A paragraph, list or table: its kind, and what stands in it."""
 Inline = str | dict[str, Any]
 """Text, or a formula, code, or emphasized text."""
+TALL = 2  # rows that a matrix within a line may have
+ENDS = tuple(".,;:")
 EMPHASIS = {"strong_open": "strong", "em_open": "emph"}
 
 
@@ -68,10 +70,10 @@ class _Reader:
 
     def _paragraph(self) -> Iterator[Block]:
         """A paragraph; formulas that stand by themselves are blocks between its parts."""
-        inline = self._inline("paragraph_close")
+        inline = _with_points(self._inline("paragraph_close"))
         sentence: list[Inline] = []
         for piece in inline:
-            if not isinstance(piece, dict) or not piece.get("block"):
+            if not _is_block(piece):
                 sentence.append(piece)
                 continue
             if _says_something(sentence):
@@ -137,13 +139,33 @@ class _Reader:
                     yield piece
                 continue
             latex, display = self._formulas[int(piece)]
-            yield {**formula_data(formula(latex)), "block": display == "block"}
+            found = formula(latex)
+            stands_alone = display == "block" or found.rows > TALL
+            yield {**formula_data(found), "block": stands_alone}
 
 
 def formula_data(one: Formula) -> dict[str, Any]:
     """A formula for the template."""
     pieces = [formula_data(piece) for piece in one.pieces]
     return {"math": one.typst, "alt": one.alt, "breakable": one.breakable, "pieces": pieces}
+
+
+def _is_block(piece: Inline) -> bool:
+    return isinstance(piece, dict) and piece.get("block", False)
+
+
+def _with_points(inline: list[Inline]) -> list[Inline]:
+    """The same, with the point or comma behind a formula that stands by itself taken into it."""
+    found: list[Inline] = []
+    for piece in inline:
+        follows = found and _is_block(found[-1])
+        if not follows or not isinstance(piece, str) or piece[:1] not in ENDS:
+            found.append(piece)
+            continue
+        before = found.pop()
+        found.append({**before, "math": f"{before['math']} \\{piece[0]}", "pieces": []})
+        found.append(piece[1:].lstrip())
+    return found
 
 
 def _says_something(sentence: list[Inline]) -> bool:
