@@ -239,7 +239,18 @@ def _matrix(table: Element, fence: str) -> str:
         cells = [_row(cell) or '""' for cell in row]
         lines.append(", ".join(cells))
     delimiter = f'"{fence}"' if fence else "#none"
-    return f"mat(delim: {delimiter}, {'; '.join(lines)})"
+    side = "#right" if _is_numeric(table) else "#center"
+    return f"mat(delim: {delimiter}, align: {side}, {'; '.join(lines)})"
+
+
+def _is_numeric(table: Element) -> bool:
+    """Whether there are numbers in it alone, which stand below each other by their last digits."""
+    for row in rows(table):
+        for cell in row:
+            for element in cell.iter():
+                if tag(element) == "mi" or (tag(element) == "mo" and text(element) != "−"):
+                    return False
+    return True
 
 
 SETTERS: dict[str, Callable[[Element], str]] = {

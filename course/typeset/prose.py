@@ -10,7 +10,7 @@ from .mathml import FormulaError
 
 Block = dict[str, Any]
 """A paragraph, list or table: its kind, and what stands in it."""
-Inline = str | dict[str, Any]
+Inline = Any
 """Text, or a formula, code, or emphasized text."""
 TALL = 2  # rows that a matrix within a line may have
 ENDS = tuple(".,;:")
@@ -156,16 +156,15 @@ def _is_block(piece: Inline) -> bool:
 
 def _with_points(inline: list[Inline]) -> list[Inline]:
     """The same, with the point or comma behind a formula that stands by itself taken into it."""
-    found: list[Inline] = []
+    found: list[Inline] = [""]
     for piece in inline:
-        follows = found and _is_block(found[-1])
-        if not follows or not isinstance(piece, str) or piece[:1] not in ENDS:
+        before = found[-1]
+        if _is_block(before) and isinstance(piece, str) and piece[:1] in ENDS:
+            found[-1] = {**before, "math": f"{before['math']} \\{piece[0]}", "pieces": []}
+            found.append(piece[1:].lstrip())
+        else:
             found.append(piece)
-            continue
-        before = found.pop()
-        found.append({**before, "math": f"{before['math']} \\{piece[0]}", "pieces": []})
-        found.append(piece[1:].lstrip())
-    return found
+    return found[1:]
 
 
 def _says_something(sentence: list[Inline]) -> bool:
