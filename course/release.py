@@ -6,8 +6,9 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from dataclasses import dataclass
 from functools import cache
-from multiprocessing import get_context
+from multiprocessing import get_context, parent_process
 from pathlib import Path
+from threading import Thread
 from typing import Any
 
 from ..exercises.exercise import Exercise
@@ -121,7 +122,7 @@ def write_all(
         return
 
     spawn = get_context("spawn")  # typst does not survive a fork
-    with ProcessPoolExecutor(_cores(), spawn, _left_to_the_parent) as pool:
+    with ProcessPoolExecutor(cores(), spawn, _left_to_the_parent) as pool:
         try:
             futures = [pool.submit(_write_there, order) for order in orders]
             for future in as_completed(futures):
@@ -132,8 +133,19 @@ def write_all(
 
 
 def _left_to_the_parent() -> None:
-    """Ctrl-C ends the parent, which lets its processes finish the sheets at hand."""
+    """Ctrl-C ends the parent, which lets its processes finish the sheets at hand.
+
+    A parent that is killed takes them with it: they would wait for it for ever.
+    """
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    Thread(target=_end_with_the_parent, daemon=True).start()
+
+
+def _end_with_the_parent() -> None:
+    parent = parent_process()
+    if parent is not None:
+        parent.join()
+        os._exit(1)
 
 
 def _write_there(order: Order) -> None:
@@ -148,7 +160,7 @@ def _loaded(own: Path, slugs: tuple[str, ...]) -> list[Exercise]:
     return [find(slug, files, own) for slug in slugs]
 
 
-def _cores() -> int:
+def cores() -> int:
     """Those that this process may use, where the system says which."""
     if hasattr(os, "sched_getaffinity"):
         return len(os.sched_getaffinity(0))

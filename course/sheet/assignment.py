@@ -21,6 +21,13 @@ class Figure:
     caption: str
     alt: str
 
+    @property
+    def ratio(self) -> float:
+        """Its height over its width."""
+        view = self.svg.partition('viewBox="')[2].partition('"')[0]
+        _, _, width, height = map(float, view.split())
+        return height / width
+
 
 @dataclass(frozen=True, eq=False)
 class Assignment:

@@ -78,7 +78,7 @@ def solution_data(front: Front, assignments: Sequence[Assignment]) -> Data:
     """
     data = _document(front, assignments, f"{SOLVED} {conventions(assignments)}")
     for one, shown in zip(assignments, data["exercises"], strict=True):
-        shown["solved"] = [_figure(figure) for figure in one.solved_figures]
+        shown["solved"] = [*map(_figure, one.solved_figures)]
         for part, about in zip(one.exercise.asked, shown["parts"], strict=True):
             with _named(one.exercise, part.variable):
                 about.update(_solution(one, part))
@@ -136,16 +136,22 @@ def _exercise(number: int, one: Assignment, *, order: bool) -> Data:
             "order": line(rows if order else ""),
             "statement": prose(exercise.statement(one.v)),
             "numbers": {
-                "inline": [formula_data(formula(latex)) for latex in inline],
-                "displayed": [formula_data(formula(latex)) for latex in displayed],
+                "inline": [*map(_formula, inline)],
+                "displayed": [*map(_formula, displayed)],
             },
-            "figures": [_figure(figure) for figure in one.figures],
+            "figures": [*map(_figure, one.figures)],
             "parts": parts,
         }
 
 
 def _figure(figure: Figure) -> Data:
-    return {"svg": figure.svg, "caption": line(figure.caption), "alt": figure.alt}
+    """A drawing; its ratio spares Typst to look into it before it is placed."""
+    return {
+        "svg": figure.svg,
+        "caption": line(figure.caption),
+        "alt": figure.alt,
+        "ratio": figure.ratio,
+    }
 
 
 def _part(letter: str, part: Part) -> Data:
@@ -167,15 +173,15 @@ def _blank(part: Part, *, hints: bool) -> Data:
     """Hints, and the place for the answer."""
     told = part.hints if hints else ()
     return {
-        "hints": [line(hint) for hint in told],
+        "hints": [*map(line, told)],
         "paper": _paper(part.answer.paper),
     }
 
 
 def _paper(paper: Paper) -> Data:
     return {
-        "rows": [_label(label) for label in paper.rows],
-        "columns": [_label(label) for label in paper.columns],
+        "rows": [*map(_formula, paper.rows)],
+        "columns": [*map(_formula, paper.columns)],
         "grids": paper.grids,
         "wide": paper.wide,
         "lines": paper.lines,
@@ -183,7 +189,7 @@ def _paper(paper: Paper) -> Data:
     }
 
 
-def _label(latex: str) -> Data:
+def _formula(latex: str) -> Data:
     if not latex:
         return {"math": "", "alt": ""}
     return formula_data(formula(latex))
