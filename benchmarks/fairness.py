@@ -18,6 +18,7 @@ from kinegrade.exercises.exercise import Exercise, Part, references
 from kinegrade.exercises.files.finding import exercise_files, find
 from kinegrade.grader.kinds.markers import handed_in
 from kinegrade.grader.marking.answer_key import AnswerKey
+from kinegrade.grader.marking.guesses import counted
 from kinegrade.grader.marking.mark import mark
 from kinegrade.solutions.expression import parse
 from kinegrade.solutions.expression_array import ExpressionArray
@@ -227,7 +228,8 @@ def marked(
     raws = {
         part.variable: handed_in(part.answer, answers[part.variable], v) for part in exercise.asked
     }
-    verdicts = {verdict.part: verdict for verdict in mark(exercise, v, raws, key=key)}
+    found = counted(exercise, mark(exercise, v, raws, key=key))
+    verdicts = {verdict.part: verdict for verdict in found}
     lost, later, kept = 0.0, 0.0, 0.0
     for part in exercise.asked:
         points = verdicts[part.variable].points

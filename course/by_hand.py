@@ -8,6 +8,7 @@ from ..exercises.answers import Manual
 from ..exercises.exercise import Part, references
 from ..grader.marking.verdict import Verdict
 from .config import Course, CourseError, Sheet
+from .escape import printable_lines
 from .gradebook import Gradebook, Mark
 from .sheets import exercises_of
 from .variant import digest
@@ -50,7 +51,8 @@ class ByHand:
             raise CourseError(
                 f"{self.student}, {self.part.variable}: points take 0 to {most:g}, got {points:g}"
             )
-        return Mark(self.student, self.sheet, self.part.variable, points, comment, self.answer_id)
+        said = printable_lines(comment)
+        return Mark(self.student, self.sheet, self.part.variable, points, said, self.answer_id)
 
 
 def answer_id(answer: Any) -> str:

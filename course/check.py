@@ -2,28 +2,35 @@
 
 import json
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, get_args
 
 import numpy as np
 
-from ..exercises.exercise import Exercise
+from ..exercises.exercise import Exercise, Function, references
 from ..exercises.files.finding import exercise_files, find
 from ..exercises.files.neighbours import is_ours
 from ..grader.collecting.ask import Ask, Limits
 from ..grader.collecting.wire import Raw
+from ..grader.jail.jail import FOR_ONE, Jail
+from ..grader.jail.level import ANY
 from ..grader.marking.mark import mark
-from ..grader.marking.own_work import Remark, remarks
+from ..grader.marking.own_work import Remark, readable, remarks
 from ..grader.marking.verdict import STATUS_WORDS, Verdict
 from ..grader.reading.unreadable import entries_named
 from ..solutions.errors import KinegradeError
-from .config import CourseError, Mode
+from .config import CourseError, LimitsTable, Mode, PackagesTable
 from .drawn import drawn
 from .sheet.notebook import KEY
 from .sheet.submissions import read_submission
 
 MOST_PLACES = 6  # of wrong entries that are named
+SAMPLES = 12  # draws that show which answers hang on numbers that the sheet does not print
+NOT_PRINTED = (
+    "can be read; whether it is right hangs on what your sheet says in words, "
+    "which is not looked at here"
+)
 NOT_INSTALLED = "an exercise of this course that is not installed here; it is not checked"
 
 
@@ -34,6 +41,8 @@ class Handout:
     sheet: str
     mode: Mode
     numbers: Mapping[str, dict[str, Any]]
+    limits: Limits = field(default_factory=Limits)
+    packages: tuple[str, ...] = ()
 
 
 def check_file(
@@ -61,12 +70,14 @@ def check_file(
     asks: list[Ask] = []
     for exercise in installed:
         asks += submission.asks(exercise, numbers[exercise.slug])
-    raws = submission.raws(asks, Limits())
+    # Whoever checks a file runs code of their own, which they ran in Jupyter a minute ago.
+    with Jail(ANY, handout.packages, preload=FOR_ONE) as jail:
+        raws = submission.raws(asks, handout.limits, jail)
 
     found = [Remark(slug, ok=True, text=NOT_INSTALLED) for slug in missing]
     for exercise in installed:
         try:
-            found += _remarks(handout.mode, exercise, numbers[exercise.slug], raws)
+            found += _of_exercise(handout, exercise, numbers[exercise.slug], raws)
         except (KinegradeError, LookupError, TypeError, ValueError, ArithmeticError) as error:
             raise CourseError(
                 f"{path}: the numbers of {exercise.slug} in this sheet are damaged: {error!r}"
@@ -141,6 +152,25 @@ def with_samples(exercise: Exercise, v: dict[str, Any]) -> dict[str, Any]:
     return numbers | v
 
 
+def unseen_parts(exercise: Exercise, v: dict[str, Any]) -> set[str]:
+    """Parts whose right answer hangs on numbers that the sheet does not print.
+
+    What a function returns does not: only what it is called with.
+    """
+    missing = [name for name in exercise.hidden if name not in v]
+    if not missing:
+        return set()
+    seen: dict[str, set[str]] = {part.variable: set() for part in exercise.asked}
+    for seed in range(SAMPLES):
+        sample = drawn(exercise, np.random.default_rng(seed))
+        numbers = v | {name: sample[name] for name in missing if name in sample}
+        answers = references(exercise, numbers)
+        for part in exercise.asked:
+            if not isinstance(part.answer, Function):
+                seen[part.variable].add(repr(answers[part.variable]))
+    return {variable for variable, answers in seen.items() if len(answers) > 1}
+
+
 def read_handout(path: Path) -> Handout:
     """Sheet, mode and numbers from a notebook's metadata.
 
@@ -170,7 +200,24 @@ def _handout(about: Any) -> Handout:
     mode = about["mode"]
     if mode not in get_args(Mode):
         raise ValueError(mode)
-    return Handout(str(about["sheet"]), mode, numbers)
+    limits = LimitsTable.model_validate(about.get("limits", {}))
+    packages = PackagesTable.model_validate(about.get("packages", {}))
+    return Handout(
+        str(about["sheet"]), mode, numbers, Limits(**limits.model_dump()), packages.allow
+    )
+
+
+def _of_exercise(
+    handout: Handout, exercise: Exercise, v: dict[str, Any], raws: Mapping[str, Raw]
+) -> Iterator[Remark]:
+    """Remarks on an exercise; where a part cannot be judged here, whether it can be read."""
+    parts = {part.variable: part for part in exercise.asked}
+    unseen = unseen_parts(exercise, handout.numbers[exercise.slug])
+    for remark in _remarks(handout.mode, exercise, v, raws):
+        if remark.part in unseen:
+            yield readable(parts[remark.part], raws, v, NOT_PRINTED)
+        else:
+            yield remark
 
 
 def _remarks(

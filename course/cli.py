@@ -15,8 +15,9 @@ import typer
 from ..solutions.errors import KinegradeError
 from .complaints import debugging, one_of_each
 from .console import progress, say
+from .gradebook_command import book
 from .marks_command import marks
-from .options import CourseOption, JsonOption, SheetArguments, opened
+from .options import CourseOption, GradebookOption, JsonOption, SheetArguments, opened
 
 if TYPE_CHECKING:
     from .grading import Result
@@ -29,6 +30,7 @@ app = typer.Typer(
     context_settings={"help_option_names": ["-h", "--help"]},
 )
 app.add_typer(marks, name="marks")
+app.add_typer(book, name="gradebook")
 STOPPED = 130  # what typer makes of Ctrl-C
 TOLD = {
     "practice": "Practice sheet: everything is told but the reference values.",
@@ -101,11 +103,15 @@ def init(folder: Annotated[Path, typer.Argument(help="A new course folder.")]) -
 
 
 @app.command()
-def generate(sheets: SheetArguments = None, folder: CourseOption = Path()) -> None:
+def generate(
+    sheets: SheetArguments = None,
+    folder: CourseOption = Path(),
+    place: GradebookOption = "",
+) -> None:
     """Draw every student's numbers and write the notebooks that are not there yet."""
     from .sheets import generate as write_sheets
 
-    with opened(folder) as (course, gradebook):
+    with opened(folder, place) as (course, gradebook):
         chosen = course.sheets(tuple(sheets or ()))
         if not course.students:
             raise KinegradeError(
@@ -124,6 +130,7 @@ def generate(sheets: SheetArguments = None, folder: CourseOption = Path()) -> No
 def grade(
     sheets: SheetArguments = None,
     folder: CourseOption = Path(),
+    place: GradebookOption = "",
     accept_change: Annotated[
         bool,
         typer.Option(
@@ -133,18 +140,42 @@ def grade(
     again: Annotated[
         bool, typer.Option("--again", help="Mark anew what is marked already.")
     ] = False,
+    accept_medium: Annotated[
+        bool,
+        typer.Option(
+            "--accept-medium", help="Run notebooks without bubblewrap where it does not work."
+        ),
+    ] = False,
+    unsafe: Annotated[
+        bool,
+        typer.Option(
+            "--unsafe",
+            help="Run notebooks without walls where none can be had; the marks say so.",
+        ),
+    ] = False,
     as_json: JsonOption = False,
 ) -> None:
     """Mark what was handed in; write grades.csv, feedback and the report."""
-    from .marking import mark_sheets, show
+    from ..grader.jail.level import Permission
+    from .marking import level_line, mark_sheets, show
     from .tables import results_json
 
-    with opened(folder) as (course, gradebook):
+    with opened(folder, place) as (course, gradebook):
         chosen = course.sheets(tuple(sheets or ()))
-        marked = mark_sheets(course, gradebook, chosen, accept_change=accept_change, again=again)
+        marked = mark_sheets(
+            course,
+            gradebook,
+            chosen,
+            accept_change=accept_change,
+            again=again,
+            permission=Permission(accept_medium, unsafe),
+        )
+        level = level_line(gradebook.noted_level())
         if not as_json:
-            show(course, marked)
+            show(course, marked, level)
             return
+        if level:
+            say(level)
         of_all_sheets: list[Result] = []
         for _, results in marked:
             of_all_sheets += results
@@ -187,11 +218,11 @@ def check(
 
 
 @app.command()
-def report(folder: CourseOption = Path()) -> None:
+def report(folder: CourseOption = Path(), place: GradebookOption = "") -> None:
     """Write grades.csv, feedback and the report again from the gradebook, without marking."""
     from .marking import write_recorded
 
-    with opened(folder) as (course, gradebook):
+    with opened(folder, place) as (course, gradebook):
         print(write_recorded(course, gradebook))
 
 

@@ -1,34 +1,43 @@
-"""course.toml and roster.csv: read once, checked, with errors that point at the line or the key."""
+"""course.toml: read once, checked, with errors that point at the key."""
 
-import csv
-import io
 import re
 import tomllib
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
-from ..solutions.errors import KinegradeError, did_you_mean
+from ..solutions.errors import did_you_mean
+from .errors import CourseError
+from .roster import DEVICE, SAFE_NAME, Student, read_roster
+from .text_file import text_of
+
+__all__ = [
+    "Course",
+    "CourseError",
+    "Mode",
+    "Settings",
+    "Sheet",
+    "Student",
+    "hint",
+    "read_course",
+    "read_roster",
+    "read_settings",
+]
 
 Mode = Literal["practice", "graded", "exam"]
 Format = Literal["ipynb", "pdf"]
 """What a sheet and its worked solution are written as."""
-SAFE_NAME = re.compile(r"[A-Za-z0-9]([A-Za-z0-9._-]{0,62}[A-Za-z0-9_-])?")
-DEVICE = re.compile(r"(con|prn|aux|nul|com[0-9]|lpt[0-9])(\..*)?", re.IGNORECASE)
-"""No file can be called so on Windows."""
 SCRIPT_NAME = re.compile(r"[A-Za-z]\w{0,62}", re.ASCII)
 MATLAB_WORD = re.compile(
     "break|case|catch|classdef|continue|else|elseif|end|for|function|global|if|"
     "otherwise|parfor|persistent|return|spmd|switch|try|while"
 )
 Name = Annotated[str, Field(pattern=rf"^{SAFE_NAME.pattern}$")]
-
-
-class CourseError(KinegradeError):
-    """course.toml, roster.csv or the course folder is not as it should be."""
+Title = Annotated[str, Field(max_length=300)]
+Share = Annotated[float, Field(strict=True, ge=0, le=1)]
 
 
 class _Strict(BaseModel):
@@ -44,47 +53,53 @@ class Sheet(_Strict):
     """
 
     name: Name
-    title: str = ""
+    title: Title = ""
     mode: Mode = "graded"
     matlab: bool = False
-    exercises: Annotated[tuple[str, ...], Field(min_length=1)]
+    exercises: Annotated[tuple[str, ...], Field(min_length=1, max_length=100)]
     pinned: Mapping[str, Mapping[str, Any]] = {}
 
 
 class LimitsTable(_Strict):
     """What one notebook may use while it is marked."""
 
-    cell_seconds: Annotated[float, Field(gt=0, le=600)] = 5.0
-    notebook_seconds: Annotated[float, Field(gt=0, le=3600)] = 60.0
-    memory_mb: Annotated[int, Field(ge=256)] = 2048
+    cell_seconds: Annotated[float, Field(strict=True, gt=0, le=600)] = 30.0
+    notebook_seconds: Annotated[float, Field(strict=True, gt=0, le=3600)] = 180.0
+    memory_mb: Annotated[int, Field(strict=True, ge=256, le=65_536)] = 2048
+
+
+class PackagesTable(_Strict):
+    """Packages that notebooks may import besides numpy, sympy, matplotlib, scipy and IPython."""
+
+    allow: tuple[Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]*$")], ...] = ()
 
 
 class MarkingTable(_Strict):
     """What a mistake that has a name costs of its part: once, whatever the number of entries."""
 
-    slip: Annotated[float, Field(ge=0, le=1)] = 0.25
-    presentation: Annotated[float, Field(ge=0, le=1)] = 0.25
-    concept: Annotated[float, Field(ge=0, le=1)] = 0.5
+    slip: Share = 0.25
+    presentation: Share = 0.25
+    concept: Share = 0.5
+
+
+class GradebookTable(_Strict):
+    """Where the gradebook lies, unless it is the file in the course folder."""
+
+    url: Annotated[str, Field(pattern="^postgresql://")] | None = None
 
 
 class Settings(_Strict):
     """All of course.toml."""
 
-    title: str
+    title: Title
     # Of older courses; the secret has a file of its own.
-    secret: Annotated[str, Field(min_length=16)] | None = None
-    sheet: Annotated[tuple[Sheet, ...], Field(min_length=1)]
-    formats: Annotated[tuple[Format, ...], Field(min_length=1)] = ("ipynb",)
+    secret: Annotated[str, Field(min_length=16, max_length=1000)] | None = None
+    sheet: Annotated[tuple[Sheet, ...], Field(min_length=1, max_length=200)]
+    formats: Annotated[tuple[Format, ...], Field(min_length=1, max_length=2)] = ("ipynb",)
     limits: LimitsTable = LimitsTable()
     marking: MarkingTable = MarkingTable()
-
-
-@dataclass(frozen=True)
-class Student:
-    """One line of roster.csv."""
-
-    id: str
-    name: str
+    gradebook: GradebookTable = GradebookTable()
+    packages: PackagesTable = PackagesTable()
 
 
 @dataclass(frozen=True)
@@ -129,7 +144,7 @@ def read_settings(path: Path) -> Settings:
     Raises:
         CourseError: it is missing, unreadable, or says something that cannot be meant.
     """
-    text = _text(path, "a course folder takes a course.toml; `kinegrade init DIR` writes one")
+    text = text_of(path, "a course folder takes a course.toml; `kinegrade init DIR` writes one")
     try:
         settings = Settings.model_validate(tomllib.loads(text))
     except tomllib.TOMLDecodeError as error:
@@ -187,99 +202,63 @@ def _sentence(complaint: Any) -> str:
         return f"unknown key {where!r}{hint(str(key), keys)}; valid here: {', '.join(keys)}"
     if complaint["type"] == "missing":
         return f"the key {where!r} is missing"
-    message = complaint["msg"]
     got = _shown(complaint["loc"], complaint["input"])
+    bounds = _range(complaint["loc"])
+    if bounds:
+        return f"{where} takes {bounds}, got {got}"
+    message = complaint["msg"]
     return f"{where}: {message[:1].lower()}{message[1:]}, got {got}"
 
 
+def _range(where: Sequence[Any]) -> str:
+    """The numbers that a key of course.toml may have, in words; empty where it has text."""
+    if len(where) != 2:
+        return ""
+    table, key = where
+    model = _table(table)
+    field = model.model_fields.get(str(key))
+    if field is None:
+        return ""
+    numbers: dict[str, float] = {}
+    for bound in field.metadata:
+        for name in ("gt", "ge", "le"):
+            if hasattr(bound, name):
+                numbers[name] = getattr(bound, name)
+    if "le" not in numbers:
+        return ""
+    kind = "a whole number" if field.annotation is int else "a number"
+    if "gt" in numbers:
+        return f"{kind} above {numbers['gt']:g} and up to {numbers['le']:g}"
+    return f"{kind} from {numbers['ge']:g} to {numbers['le']:g}"
+
+
 def _shown(where: tuple[Any, ...], value: Any) -> str:
-    """What was found; never the secret."""
-    if "secret" in where:
+    """What was found; never the secret, nor a URL, which may hold a password."""
+    if "secret" in where or "url" in where:
         return "something else"
     return repr(value)[:60]
 
 
 def _valid_keys(tables: Sequence[Any]) -> list[str]:
     """The keys of a table of course.toml; the outermost has no name."""
+    if not tables:
+        return list(Settings.model_fields)
+    return list(_table(tables[0]).model_fields)
+
+
+def _table(name: Any) -> type[BaseModel]:
+    """The table of that name; the outermost for every other name."""
     known: dict[str, type[BaseModel]] = {
         "sheet": Sheet,
         "limits": LimitsTable,
         "marking": MarkingTable,
+        "gradebook": GradebookTable,
+        "packages": PackagesTable,
     }
-    table: type[BaseModel] = Settings
-    if tables:
-        table = known.get(str(tables[0]), Settings)
-    return list(table.model_fields)
+    return known.get(str(name), Settings)
 
 
 def hint(name: str, known: Iterable[str]) -> str:
     """The question for the nearest valid name in brackets, or nothing."""
     question = did_you_mean(name, known)
     return f" ({question})" if question else ""
-
-
-def read_roster(path: Path) -> Iterator[Student]:
-    """Students in the order of roster.csv, which takes the columns student and name.
-
-    Raises:
-        CourseError: it is missing or unreadable, or a line of it cannot be meant.
-    """
-    text = _text(path, "a course folder takes a roster.csv with the columns student,name")
-    try:
-        yield from _students(path, csv.DictReader(io.StringIO(text, newline="")))
-    except csv.Error as error:
-        raise CourseError(f"{path}: not a CSV file: {error}") from error
-
-
-def _students(path: Path, rows: "csv.DictReader[str]") -> Iterator[Student]:
-    columns = _columns(path, rows)
-    seen: dict[str, int] = {}
-    for row in rows:
-        place = f"{path}, line {rows.line_num}"
-        surplus: Any = row.pop(None, [])  # pyright: ignore[reportArgumentType, reportCallIssue]
-        if any(surplus):
-            raise CourseError(
-                f"{place}: {len(columns) + len(surplus)} cells for {len(columns)} columns; "
-                'a name with a comma takes quotes: "Lovelace, Ada"'
-            )
-        cells: dict[str, str] = {}
-        for column, text in row.items():
-            cells[column.strip()] = " ".join((text or "").split())
-        if not any(cells.values()):
-            continue
-
-        student = cells["student"]
-        _refuse_as_folder_name(place, student)
-        folder = student.casefold()  # ADA and ada are one folder on some machines
-        if folder in seen:
-            raise CourseError(f"{place}: student {student!r} is already in line {seen[folder]}")
-        seen[folder] = rows.line_num
-        yield Student(student, cells["name"] or student)
-
-
-def _columns(path: Path, rows: "csv.DictReader[str]") -> list[str]:
-    columns = [column.strip() for column in rows.fieldnames or ()]
-    found = ", ".join(columns) or "nothing"
-    for column in ("student", "name"):
-        if column not in columns:
-            raise CourseError(
-                f"{path}: the column {column!r} is missing; the first line has: {found}"
-            )
-    return columns
-
-
-def _refuse_as_folder_name(place: str, student: str) -> None:
-    if not SAFE_NAME.fullmatch(student) or DEVICE.fullmatch(student):
-        raise CourseError(
-            f"{place}: a student takes an id of letters, digits, '.', '_' and '-' "
-            f"(it names a folder, so CON and the like are out), got {student!r}"
-        )
-
-
-def _text(path: Path, missing: str) -> str:
-    try:
-        return path.read_text(encoding="utf-8-sig")
-    except FileNotFoundError:
-        raise CourseError(f"{path} is not there: {missing}") from None
-    except (OSError, UnicodeDecodeError) as error:
-        raise CourseError(f"{path} cannot be read as UTF-8 text: {error}") from error

@@ -4,6 +4,9 @@ import os
 import tempfile
 from pathlib import Path
 
+PART = ".*.part"
+"""What files are called that are not complete yet."""
+
 
 def write_atomically(path: Path, data: bytes | str, mode: int = 0o644) -> None:
     """The whole new content or the old: written under a temporary name, synced, then renamed."""

@@ -1,136 +1,83 @@
-"""The gradebook: records and marks in one SQLite file, every change one transaction."""
+"""The gradebook: all that was drawn, handed in and marked; a change adds rows and replaces none."""
 
 import json
-from collections.abc import Generator, Mapping, Sequence
-from contextlib import contextmanager
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Self
 
-from sqlalchemy import (
-    URL,
-    Column,
-    ColumnElement,
-    Connection,
-    Float,
-    Integer,
-    MetaData,
-    RowMapping,
-    String,
-    Table,
-    Text,
-    create_engine,
-    select,
-)
-from sqlalchemy.exc import DatabaseError
+from sqlalchemy import ColumnElement, Connection, RowMapping, and_, select
 
 from ..grader.marking.verdict import Verdict
-from .config import CourseError
-from .variant import Record
+from .config import Course, CourseError
+from .ledger import grades, marks
+from .ledger.address import address, without_password
+from .ledger.damage import DamagedError, Damages, loaded
+from .ledger.database import Database
+from .ledger.entries import Change, enter, user
+from .ledger.grades import GradeKey
+from .ledger.history import Event, history
+from .ledger.marks import Mark
+from .ledger.opening import open_ledger
+from .ledger.tables import level as levels
+from .ledger.tables import record, reference
+from .variant import Record, canonical, digest
 
-FORMAT = "1"
-_metadata = MetaData()
-_meta = Table(
-    "meta",
-    _metadata,
-    Column("key", String, primary_key=True),
-    Column("value", String, nullable=False),
-)
-_records = Table(
-    "record",
-    _metadata,
-    Column("student", String, primary_key=True),
-    Column("sheet", String, primary_key=True),
-    Column("exercise", String, primary_key=True),
-    Column("attempt", Integer, nullable=False),
-    Column("numbers", Text, nullable=False),
-    Column("answers", Text, nullable=False),
-)
-_grades = Table(
-    "grade",
-    _metadata,
-    Column("student", String, primary_key=True),
-    Column("sheet", String, primary_key=True),
-    Column("submission", String, primary_key=True),  # hash of the bytes handed in
-    Column("rules", String, primary_key=True),  # hash of what they were marked by
-    Column("verdicts", Text, nullable=False),
-)
-_current = Table(
-    "current",
-    _metadata,
-    Column("student", String, primary_key=True),
-    Column("sheet", String, primary_key=True),
-    Column("submission", String, nullable=False),
-    Column("rules", String, nullable=False),
-)
-_marks = Table(
-    "mark",
-    _metadata,
-    Column("student", String, primary_key=True),
-    Column("sheet", String, primary_key=True),
-    Column("part", String, primary_key=True),
-    Column("points", Float, nullable=False),
-    Column("comment", Text, nullable=False),
-    Column("answer", String, nullable=False),  # a short name of the answer that was read
-)
+__all__ = ["Event", "GradeKey", "Gradebook", "Mark", "OvertakenError", "gradebook_of"]
+FILE = "gradebook.sqlite"
 
 
-@dataclass(frozen=True)
-class Mark:
-    """What a marker gave by hand for one answer.
+class OvertakenError(CourseError):
+    """Another kinegrade drew for this student, or drew these numbers, in the meantime."""
 
-    `answer` names the one that was read, so that another answer needs another mark.
+
+def gradebook_of(course: Course, place: str = "") -> "Gradebook":
+    """The gradebook of a course: at `place`, where course.toml says, or in the course folder.
+
+    Raises:
+        CourseError: it cannot be opened.
     """
-
-    student: str
-    sheet: str
-    part: str
-    points: float
-    comment: str
-    answer: str
-
-
-@dataclass(frozen=True)
-class GradeKey:
-    """What a grade belongs to; the attempts drawn are part of `rules`."""
-
-    student: str
-    sheet: str
-    submission: str
-    rules: str
+    written = course.settings.gradebook.url
+    if place:
+        return Gradebook(place)
+    if written:
+        return Gradebook(without_password(written))
+    return Gradebook(course.folder / FILE)
 
 
 class Gradebook:
-    """Records and marks of one course."""
+    """What one course keeps.
 
-    def __init__(self, path: Path) -> None:
-        """Opens the file, or makes it.
+    Where several rows speak about the same thing, the newest counts. A row that cannot be read
+    costs its student's sheet, and no other; `damaged` names it.
+    """
+
+    def __init__(self, place: Path | str) -> None:
+        """Opens a file or the database of a URL; makes the tables, or brings them up to date.
 
         Raises:
-            CourseError: the file is not a gradebook, or one of a later version.
+            CourseError: it is not a gradebook, one of a later version, or cannot be reached.
         """
-        self._path = path
-        self._engine = create_engine(URL.create("sqlite", database=str(path)))
+        self._database = Database(address(place))
+        self._damages = Damages()
         try:
-            self._prepare()
-        except CourseError:
+            open_ledger(self._database)
+        except BaseException:
             self.close()
             raise
 
-    def _prepare(self) -> None:
-        with self.transaction() as connection:
-            _metadata.create_all(connection)
-            found = connection.scalar(select(_meta.c.value).where(_meta.c.key == "format"))
-            if found is None:
-                connection.execute(_meta.insert().values(key="format", value=FORMAT))
-            elif found != FORMAT:
-                raise CourseError(
-                    f"{self._path}: the gradebook has format {found}; this version reads {FORMAT}"
-                )
+    @property
+    def place(self) -> str:
+        """Where it lies, for sentences; without a password."""
+        return self._database.place
+
+    @property
+    def database(self) -> Database:
+        """The database itself."""
+        return self._database
 
     def close(self) -> None:
-        """Lets go of the file."""
-        self._engine.dispose()
+        """Lets go of the database."""
+        self._database.close()
 
     def __enter__(self) -> Self:
         return self
@@ -138,112 +85,165 @@ class Gradebook:
     def __exit__(self, *_: object) -> None:
         self.close()
 
-    @contextmanager
-    def transaction(self) -> Generator[Connection]:
-        """All of what is done inside, or nothing.
+    def damaged(self, sheet: str) -> dict[str, str]:
+        """Students of whom a row of this sheet was read that is damaged, and a sentence on it."""
+        return self._damages.of(sheet)
 
-        Raises:
-            CourseError: the file cannot be read or written.
-        """
-        try:
-            with self._engine.begin() as connection:
-                yield connection
-        except DatabaseError as error:
-            raise CourseError(
-                f"{self._path}: not a gradebook that can be used: {error.orig}"
-            ) from error
+    def note_level(self, level: str) -> None:
+        """Keeps at which level notebooks are run from now on, where it is another."""
+        if level == self.noted_level():
+            return
+        with self._database.writing() as connection:
+            number = enter(connection, Change(user(), ""))
+            connection.execute(levels.insert().values(entry=number, level=level))
+
+    def noted_level(self) -> str:
+        """At which level notebooks were run last; empty where none was."""
+        query = select(levels.c.level).order_by(levels.c.entry.desc()).limit(1)
+        with self._database.reading() as connection:
+            return connection.scalar(query) or ""
 
     def records(self, sheet: str) -> list[Record]:
-        """Everything drawn for a sheet."""
-        return [_record(row) for row in self._rows_of(_records, sheet)]
+        """Everything drawn for a sheet, with the answers that were accepted last."""
+        with self._database.reading() as connection:
+            drawn = _of_sheet(connection, sheet)
+            accepted: dict[tuple[str, str], str] = {}
+            query = select(reference).where(reference.c.sheet == sheet)
+            for row in connection.execute(query.order_by(reference.c.entry)).mappings():
+                accepted[row["student"], row["exercise"]] = row["answers"]
 
-    def _rows_of(self, table: Table, sheet: str) -> Sequence[RowMapping]:
-        with self.transaction() as connection:
-            found = connection.execute(select(table).where(table.c.sheet == sheet))
-            return found.mappings().all()
+        found: list[Record] = []
+        for row in drawn:
+            answers = accepted.get((row["student"], row["exercise"]))
+            try:
+                found.append(_record(row, answers))
+            except DamagedError:
+                self._damages.add(sheet, row["student"], row["exercise"], "put a backup back")
+        return found
 
-    def save_records(self, records: Sequence[Record]) -> None:
-        """Adds the records of one student's sheet, together or not at all."""
-        with self.transaction() as connection:
-            for record in records:
-                connection.execute(_records.insert().values(**_row(record)))
+    def save_records(self, records: Sequence[Record], reason: str = "") -> None:
+        """Adds the records of one student's sheet, together or not at all.
 
-    def accept_answers(self, record: Record, answers: dict[str, Any]) -> None:
-        """Replaces a record's answers after the instructor accepted that the reference changed."""
-        key = {"student": record.student, "sheet": record.sheet, "exercise": record.exercise}
-        update = _records.update().where(*_same(_records, key))
-        with self.transaction() as connection:
-            connection.execute(update.values(answers=json.dumps(answers)))
+        Raises:
+            OvertakenError: another kinegrade drew one of them, or its numbers for somebody else.
+        """
+        with self._database.writing() as connection:
+            _refuse_the_overtaken(connection, records)
+            entry = enter(connection, Change(user(), reason))
+            for one in records:
+                row = {**_name(one), "attempt": one.attempt, "numbers": json.dumps(one.numbers)}
+                row |= {"digest": _digest(one), "entry": entry}
+                connection.execute(record.insert().values(**row))
+                _refer(connection, one, one.answers, entry)
+
+    def accept_answers(self, one: Record, answers: dict[str, Any], reason: str = "") -> None:
+        """From now on these are a record's answers; the instructor accepted that they changed."""
+        with self._database.writing() as connection:
+            _refer(connection, one, answers, enter(connection, Change(user(), reason)))
+
+    def see(self, keys: Sequence[GradeKey]) -> None:
+        """Notes the submissions that were not seen before, with the time."""
+        if not keys:
+            return
+        with self._database.writing() as connection:
+            grades.see(connection, keys, Change(user()))
 
     def verdicts(self, key: GradeKey) -> list[Verdict] | None:
-        """What this submission got by these rules, or None when it was never marked by them."""
-        with self.transaction() as connection:
-            text = connection.scalar(select(_grades.c.verdicts).where(*_same(_grades, vars(key))))
-        if text is None:
-            return None
-        return _verdicts(text)
+        """What this submission got by these rules.
 
-    def save_grade(self, key: GradeKey, verdicts: Sequence[Verdict]) -> None:
-        """The grade and that it is the current one, in one transaction."""
-        text = json.dumps([verdict.to_json() for verdict in verdicts])
-        with self.transaction() as connection:
-            connection.execute(_grades.delete().where(*_same(_grades, vars(key))))
-            connection.execute(_grades.insert().values(**vars(key), verdicts=text))
-            _point_to(connection, key)
+        None when it was never marked by them, or what it got is damaged, and is to be marked again.
+        """
+        with self._database.reading() as connection:
+            number = grades.newest(connection, key)
+            if number is None:
+                return None
+            return grades.verdicts_of(connection, number)
+
+    def save_grade(self, key: GradeKey, verdicts: Sequence[Verdict], reason: str = "") -> None:
+        """The grade and that it is the one that counts, in one transaction."""
+        with self._database.writing() as connection:
+            grades.save(connection, key, verdicts, Change(user(), reason))
 
     def make_current(self, key: GradeKey) -> None:
         """An earlier grade counts again; where it already does, nothing is written."""
-        with self.transaction() as connection:
-            _point_to(connection, key)
-
-    def marks(self, sheet: str) -> dict[tuple[str, str], Mark]:
-        """Marks entered by hand, by student and part."""
-        marks = [Mark(**row) for row in self._rows_of(_marks, sheet)]
-        return {(mark.student, mark.part): mark for mark in marks}
-
-    def save_marks(self, marks: Sequence[Mark]) -> None:
-        """Enters marks, all or none; an earlier mark of the same part is replaced."""
-        with self.transaction() as connection:
-            for mark in marks:
-                key = {"student": mark.student, "sheet": mark.sheet, "part": mark.part}
-                connection.execute(_marks.delete().where(*_same(_marks, key)))
-                connection.execute(_marks.insert().values(**vars(mark)))
+        with self._database.reading() as connection:
+            number = grades.newest(connection, key)
+            if number is None or grades.counts(connection, key, number):
+                return
+        with self._database.writing() as connection:
+            grades.let_count(connection, key, number, Change(user()))
 
     def current(self, sheet: str) -> dict[str, list[Verdict]]:
         """Student to verdicts: what counts now."""
-        same = [_current.c[column.name] == column for column in _grades.primary_key]
-        query = select(_grades.c.student, _grades.c.verdicts)
-        query = query.where(*same, _current.c.sheet == sheet)
-        with self.transaction() as connection:
-            return {student: _verdicts(text) for student, text in connection.execute(query)}
+        with self._database.reading() as connection:
+            numbers = grades.counting(connection, sheet)
+            verdicts = grades.verdicts_that_count(connection, sheet)
+        found: dict[str, list[Verdict]] = {}
+        for student, number in numbers.items():
+            these = verdicts.get(number, [])
+            if these is None:
+                self._damages.add(sheet, student, "the grade", "`kinegrade grade` marks anew")
+            else:
+                found[student] = these
+        return found
+
+    def marks(self, sheet: str) -> dict[tuple[str, str], Mark]:
+        """Marks entered by hand, by student and part."""
+        with self._database.reading() as connection:
+            return marks.that_count(connection, sheet, self._damages)
+
+    def save_marks(self, given: Sequence[Mark], *, author: str = "", reason: str = "") -> None:
+        """Enters marks, all or none; of the same part, the last one counts."""
+        with self._database.writing() as connection:
+            marks.save(connection, given, Change(author or user(), reason))
+
+    def history(self, student: str, sheet: str) -> list[Event]:
+        """All that happened to a student's sheet, the oldest first."""
+        with self._database.reading() as connection:
+            return history(connection, student, sheet)
 
 
-def _point_to(connection: Connection, key: GradeKey) -> None:
-    there = connection.scalar(select(_current.c.student).where(*_same(_current, vars(key))))
-    if there is not None:
-        return
-    other = _same(_current, {"student": key.student, "sheet": key.sheet})
-    connection.execute(_current.delete().where(*other))
-    connection.execute(_current.insert().values(**vars(key)))
+def _of_sheet(connection: Connection, sheet: str) -> Sequence[RowMapping]:
+    query = select(record).where(record.c.sheet == sheet)
+    query = query.order_by(record.c.entry, record.c.exercise)
+    return connection.execute(query).mappings().all()
 
 
-def _same(table: Table, key: Mapping[str, str]) -> list[ColumnElement[bool]]:
-    return [table.c[name] == value for name, value in key.items()]
+def _record(row: RowMapping, answers: str | None) -> Record:
+    return Record(
+        row["student"],
+        row["sheet"],
+        row["exercise"],
+        row["attempt"],
+        loaded(row["numbers"], dict),
+        loaded(answers, dict),
+    )
 
 
-def _row(record: Record) -> dict[str, Any]:
-    return {
-        **vars(record),
-        "numbers": json.dumps(record.numbers),
-        "answers": json.dumps(record.answers),
-    }
+def _refuse_the_overtaken(connection: Connection, records: Iterable[Record]) -> None:
+    for one in records:
+        there = select(record.c.entry).where(_is(_name(one)))
+        same = {"sheet": one.sheet, "exercise": one.exercise, "digest": _digest(one)}
+        for query in (there, select(record.c.entry).where(_is(same))):
+            if connection.scalar(query.limit(1)) is not None:
+                raise OvertakenError(
+                    f"another kinegrade drew numbers of {one.exercise}, sheet {one.sheet}, while "
+                    f"those of {one.student} were drawn; nothing was recorded"
+                )
 
 
-def _record(row: RowMapping) -> Record:
-    numbers = json.loads(row["numbers"])
-    answers = json.loads(row["answers"])
-    return Record(**{**row, "numbers": numbers, "answers": answers})
+def _refer(connection: Connection, one: Record, answers: Mapping[str, Any], entry: int) -> None:
+    row = {"entry": entry, **_name(one), "answers": json.dumps(answers)}
+    connection.execute(reference.insert().values(**row))
 
 
-def _verdicts(text: str) -> list[Verdict]:
-    return [Verdict.from_json(data) for data in json.loads(text)]
+def _is(values: Mapping[str, str]) -> ColumnElement[bool]:
+    return and_(*(record.c[name] == value for name, value in values.items()))
+
+
+def _name(one: Record) -> dict[str, str]:
+    return {"student": one.student, "sheet": one.sheet, "exercise": one.exercise}
+
+
+def _digest(one: Record) -> str:
+    return digest(canonical(one.numbers).encode())

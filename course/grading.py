@@ -5,14 +5,18 @@ import os
 from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor, as_completed
 from contextlib import closing
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from importlib.metadata import version
+from typing import Any
 
 from ..exercises.exercise import Exercise, Manual, Part
 from ..exercises.files.finding import exercise_files
 from ..grader.collecting.ask import Ask, Limits
 from ..grader.collecting.wire import Raw
+from ..grader.jail.jail import Jail
+from ..grader.jail.level import Level
 from ..grader.marking.follow import Peers
+from ..grader.marking.guesses import counted
 from ..grader.marking.mark import mark
 from ..grader.marking.price import Bill, Price
 from ..grader.marking.verdict import Verdict, not_graded
@@ -20,10 +24,10 @@ from .config import Course, CourseError, Sheet, Student
 from .gradebook import Gradebook, GradeKey
 from .handed_out import HandedOut
 from .marks import with_marks
-from .results import Result, recorded_results
+from .results import UNSAFE_STAMP, Result, recorded_results
 from .rules import rules_hash
 from .same_numbers import marked_for_it, same_numbers
-from .sheet.submissions import Submission, find_submission, misnamed
+from .sheet.submissions import NOTEBOOK, Submission, find_submission, misnamed, passed_over
 from .sheets import asked_parts, drop_solutions, exercises_of
 from .variant import Record, canonical, digest
 
@@ -64,13 +68,15 @@ class SheetMarker:
         gradebook: Gradebook,
         sheet: Sheet,
         *,
+        jail: Jail | None = None,
         accept_change: bool = False,
         again: bool = False,
     ) -> None:
         """Reads the exercises and the records.
 
-        With `accept_change`, moved references become the recorded ones; with `again`, marked files
-        are marked anew.
+        Notebooks run in `jail`, which is left open, else in one for this sheet alone. With
+        `accept_change`, moved references become the recorded ones; with `again`, marked files are
+        marked anew.
 
         Raises:
             CourseError: the sheet was handed out, but the gradebook knows nothing of it.
@@ -78,7 +84,10 @@ class SheetMarker:
         self.course = course
         self.gradebook = gradebook
         self.sheet = sheet
+        self.jail = jail or Jail(packages=course.settings.packages.allow)
+        self._own_jail = jail is None
         self.again = again
+        self.absent: dict[str, set[str]] = {}  # students by the package that their notebooks miss
         self.limits = Limits(**course.settings.limits.model_dump())
         self._price = Price(**course.settings.marking.model_dump())
         self.exercises = exercises_of(course, sheet)
@@ -94,6 +103,7 @@ class SheetMarker:
             accept_change=accept_change,
             before_accepting=lambda student: drop_solutions(course, sheet, student),
         )
+        self._damaged = gradebook.damaged(sheet.name)
         self._refuse_a_lost_gradebook()
 
     @property
@@ -104,15 +114,26 @@ class SheetMarker:
     def _refuse_a_lost_gradebook(self) -> None:
         suffix = self.course.settings.formats[0]
         released = self.course.folder.glob(f"released/*/{self.sheet.name}.{suffix}")
-        if self._handed_out.nothing and any(released):
+        if self._handed_out.nothing and not self._damaged and any(released):
             raise CourseError(
-                f"{self.course.folder / 'gradebook.sqlite'} knows nothing of sheet "
+                f"{self.gradebook.place} knows nothing of sheet "
                 f"{self.sheet.name}, though it was released; put the backup back, or run "
                 "`kinegrade generate`, which draws the same numbers from the same secret"
             )
 
     def results(self, step: Callable[[], None] = lambda: None) -> list[Result]:
-        """A result for every student of the roster, in its order; `step` is called after each."""
+        """A result for every student of the roster, in its order; `step` is called after each.
+
+        Raises:
+            JailError: there is a notebook among the submissions, and none can run as it should.
+        """
+        try:
+            return self._results(step)
+        finally:
+            if self._own_jail:
+                self.jail.close()
+
+    def _results(self, step: Callable[[], None]) -> list[Result]:
         done: dict[str, Result] = {}
         todo: list[_Work] = []
         for student in self.course.students:
@@ -123,6 +144,7 @@ class SheetMarker:
             else:
                 todo.append(found)
 
+        self.gradebook.see([work.key for work in todo])
         came_in: dict[str, _Raws] = {}
         with closing(self._collected(todo)) as collected:  # also when Ctrl-C comes between two
             for work, raws in collected:
@@ -164,10 +186,12 @@ class SheetMarker:
         if self.again or verdicts is None or self._unfinished(verdicts):
             return work
         self.gradebook.make_current(work.key)
-        return self._result(student, verdicts)
+        return self._result(work, verdicts)
 
     def _work(self, student: Student) -> Result | _Work:
         """What marking the student's submission takes, or the reason why it cannot be marked."""
+        if student.id in self._damaged:
+            return self._waits(student, self._damaged[student.id])
         try:
             submission = find_submission(self.course.folder, student.id, self.sheet.name)
         except CourseError as error:
@@ -205,23 +229,48 @@ class SheetMarker:
             sorted(moved),
             self.course.settings.limits.model_dump(),
             self.course.settings.marking.model_dump(),
+            *self._run_with(submission),
         )
         return digest(canonical(followed).encode())
+
+    def _run_with(self, submission: Submission) -> list[Any]:
+        """What else a notebook's marks follow from, where there is anything.
+
+        What was run without walls is run again as soon as there are some.
+        """
+        if submission.path.suffix != NOTEBOOK:
+            return []
+        followed: list[Any] = []
+        for name, data in submission.beside().items():
+            followed.append((name, digest(data)))
+        if self.course.settings.packages.allow:
+            followed.append(self.course.settings.packages.allow)
+        if self.jail.permission.unsafe and self.jail.level is Level.UNSAFE:
+            followed.append(Level.UNSAFE)
+        return followed
 
     def _unfinished(self, verdicts: Sequence[Verdict]) -> bool:
         """Whether the grader left something open; what is marked by hand is not its business."""
         for verdict in verdicts:
-            by_hand = isinstance(self._parts[verdict.part].answer, Manual)
+            answer = self._parts[verdict.part].answer
+            by_hand = isinstance(answer, Manual) and (answer.on_paper or verdict.answer is not None)
             if verdict.points is None and not by_hand:
                 return True
         return False
 
     def _collected(self, todo: Sequence[_Work]) -> Generator[tuple[_Work, _Raws]]:
-        """Raw values as they come in; notebooks run side by side, each in a process of its own."""
+        """Raw values as they come in; notebooks run side by side, each in a process of its own.
+
+        Raises:
+            JailError: there is a notebook among them, and none can run as it should.
+        """
+        if any(work.submission.path.suffix == NOTEBOOK for work in todo):
+            self.gradebook.note_level(self.jail.level)
         with ThreadPoolExecutor(max_workers=os.cpu_count() or 1) as pool:
             futures: dict[Future[dict[str, Raw]], _Work] = {}
             for work in todo:
-                future = pool.submit(work.submission.raws, self._asks(work), self.limits)
+                asks = self._asks(work)
+                future = pool.submit(work.submission.raws, asks, self.limits, self.jail)
                 futures[future] = work
             try:
                 for future in as_completed(futures):
@@ -238,6 +287,10 @@ class SheetMarker:
 
     def _mark(self, work: _Work, raws: _Raws, peers: Peers | None = None) -> Result:
         """The grade of one submission, saved; where the grader fails, the submission waits."""
+        if not isinstance(raws, Exception):
+            for raw in raws.values():
+                if raw.absent:
+                    self.absent.setdefault(raw.absent, set()).add(work.student.id)
         try:
             verdicts = self._verdicts(work, raws, peers or {})
         except Exception as error:
@@ -248,8 +301,17 @@ class SheetMarker:
                 f"the grader failed with {type(error).__name__}; "
                 "the submission is kept and will be marked again"
             )
+        verdicts = self._stamped(work, verdicts)
         self.gradebook.save_grade(work.key, verdicts)
-        return self._result(work.student, verdicts)
+        return self._result(work, verdicts)
+
+    def _stamped(self, work: _Work, verdicts: Sequence[Verdict]) -> Sequence[Verdict]:
+        """With a note for the instructor, where a notebook was run without walls."""
+        notebook = work.submission.path.suffix == NOTEBOOK
+        if not notebook or self.jail.level is not Level.UNSAFE or not verdicts:
+            return verdicts
+        first, *others = verdicts
+        return [replace(first, findings=(*first.findings, UNSAFE_STAMP)), *others]
 
     def _verdicts(self, work: _Work, raws: _Raws, peers: Peers) -> Sequence[Verdict]:
         if isinstance(raws, Exception):
@@ -272,6 +334,7 @@ class SheetMarker:
         others = self._handed_out.answers_of_others(exercise, work.student.id)
         try:
             verdicts = mark(exercise, numbers, raws, others, peers=peers, bill=bill)
+            verdicts = counted(exercise, verdicts)
         except Exception as error:
             log.exception(
                 "%s, sheet %s: %s could not be marked",
@@ -294,9 +357,14 @@ class SheetMarker:
     def _waiting(self, reason: str) -> tuple[Verdict, ...]:
         return tuple(_not_graded(self._parts.values(), reason))
 
-    def _result(self, student: Student, verdicts: Sequence[Verdict]) -> Result:
+    def _result(self, work: _Work, verdicts: Sequence[Verdict]) -> Result:
+        student = work.student
         marked = with_marks(verdicts, student.id, self._marks, self._parts)
-        return Result(student, self.sheet.name, marked)
+        sheets = [sheet.name for sheet in self.course.settings.sheet]
+        others = passed_over(
+            self.course.folder, student.id, self.sheet.name, sheets, work.submission.path
+        )
+        return Result(student, self.sheet.name, marked, passed_over=tuple(others))
 
 
 def _raws_or_error(future: Future[dict[str, Raw]]) -> dict[str, Raw] | Exception:

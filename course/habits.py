@@ -140,7 +140,7 @@ def _with_other_sign(table: Table, asked: TableOf) -> Table:
         cells[0][3] = alpha[1:]
     else:
         cells[0][3] = f"-{alpha}"
-    return read_table(cells, sorted(names), asked.convention)
+    return read_table(cells, sorted(names), table.convention)
 
 
 def _wrong_shapes(exercise: Exercise, v: dict[str, Any], answers: Answers) -> Answers:

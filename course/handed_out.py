@@ -95,5 +95,5 @@ def _accepted(record: Record, exercise: Exercise, gradebook: Gradebook) -> Recor
             f"exercise {exercise.slug} cannot be accepted: it fails with {type(error).__name__}: "
             f"{error} on the numbers of {record.student}, which were handed out before it changed"
         ) from error
-    gradebook.accept_answers(record, answers)
+    gradebook.accept_answers(record, answers, "grade --accept-change")
     return replace(record, answers=answers)

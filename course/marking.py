@@ -1,13 +1,16 @@
 """A marking run: progress while it goes, then grades.csv, feedback, report and the table."""
 
 import sys
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 from rich.console import Console
 from rich.text import Text
 
+from ..grader.jail.jail import Jail
+from ..grader.jail.level import WALLS, Level, Permission
+from ..grader.jail.packages import not_installed
 from ..solutions.errors import KinegradeError
 from .config import Course, Sheet
 from .console import progress, say
@@ -30,20 +33,36 @@ def mark_sheets(
     *,
     accept_change: bool = False,
     again: bool = False,
+    permission: Permission | None = None,
 ) -> Marked:
-    """Marks sheets with a progress bar and writes all that follows from the marks."""
+    """Marks sheets with a progress bar and writes all that follows from the marks.
+
+    Raises:
+        JailError: there are notebooks to run, and no permitted level works here.
+    """
     roster = {student.id for student in course.students}
     for name in strangers(course.folder, roster):
         folder = course.folder / "submitted" / name
         say(f"{folder} belongs to nobody of roster.csv and is not marked.")
 
+    for name in not_installed(course.settings.packages.allow):
+        say(f"course.toml allows the package {name}, which is not installed here.")
+
     marked: Marked = []
-    with progress("Marking", len(course.students) * len(sheets)) as step:
+    with (
+        Jail(permission, course.settings.packages.allow) as jail,
+        progress("Marking", len(course.students) * len(sheets)) as step,
+    ):
         for sheet in sheets:
-            marker = SheetMarker(course, gradebook, sheet, accept_change=accept_change, again=again)
+            marker = SheetMarker(
+                course, gradebook, sheet, jail=jail, accept_change=accept_change, again=again
+            )
             _renew_solutions(course, gradebook, sheet, marker.accepted)
             marked.append((sheet, marker.results(step)))
-    write_results(course, _with_recorded(course, gradebook, marked))
+            _say_absent(sheet, marker.absent)
+    write_results(
+        course, _with_recorded(course, gradebook, marked), level_line(gradebook.noted_level())
+    )
     return marked
 
 
@@ -58,6 +77,23 @@ def _renew_solutions(
         f"Sheet {sheet.name}: answers of {len(students)} students changed, which was accepted; "
         f"{renewed} worked solutions were written again. Hand them out again, too."
     )
+
+
+def _say_absent(sheet: Sheet, absent: Mapping[str, Collection[str]]) -> None:
+    """Names packages that notebooks would have taken: it is for the instructor to allow them."""
+    for package, students in absent.items():
+        who = ", ".join(sorted(students))
+        say(
+            f"Sheet {sheet.name}: notebooks need {package}, which is not there ({who}); "
+            "install it, list it under [packages] in course.toml, and `kinegrade grade --again`."
+        )
+
+
+def level_line(level: str) -> str:
+    """A sentence on what stood between the notebooks and this machine; empty where none ran."""
+    if not level:
+        return ""
+    return f"Notebooks were run at level {level} - {WALLS[Level(level)]}."
 
 
 def _with_recorded(course: Course, gradebook: Gradebook, marked: Marked) -> Marked:
@@ -98,10 +134,13 @@ def write_recorded(course: Course, gradebook: Gradebook) -> Path:
     Raises:
         KinegradeError: no sheet can be read.
     """
-    return write_results(course, _with_recorded(course, gradebook, []))
+    line = level_line(gradebook.noted_level())
+    return write_results(course, _with_recorded(course, gradebook, []), line)
 
 
-def write_results(course: Course, marked: Iterable[tuple[Sheet, Sequence[Result]]]) -> Path:
+def write_results(
+    course: Course, marked: Iterable[tuple[Sheet, Sequence[Result]]], level: str = ""
+) -> Path:
     """grades.csv, one feedback page per student and sheet, and the report; the report's path."""
     pages: list[Any] = []
     for sheet, results in marked:
@@ -115,10 +154,10 @@ def write_results(course: Course, marked: Iterable[tuple[Sheet, Sequence[Result]
             if result.verdicts:
                 write_feedback(course, sheet, exercises, result)
         pages.append((sheet, exercises, results))
-    return write_report(course, pages)
+    return write_report(course, pages, level)
 
 
-def show(course: Course, marked: Sequence[tuple[Sheet, Sequence[Result]]]) -> None:
+def show(course: Course, marked: Sequence[tuple[Sheet, Sequence[Result]]], level: str = "") -> None:
     """The table of every sheet on stdout, and where to look on stderr."""
     console = Console()
     if not sys.stdout.isatty():
@@ -127,4 +166,6 @@ def show(course: Course, marked: Sequence[tuple[Sheet, Sequence[Result]]]) -> No
         console.print(Text(sheet.title or sheet.name, style="bold"))
         console.print(terminal_table(results, exercises_of(course, sheet)))
     say(legend())
+    if level:
+        say(level)
     say(f"Report: {course.folder / 'report' / 'index.html'}")

@@ -9,11 +9,13 @@ from pathlib import Path
 from ..exercises.answers import Manual
 from ..exercises.exercise import Part
 from ..grader.marking.verdict import Finding, Status, Verdict
+from ..solutions.plain_number import plain_number
 from .by_hand import ByHand, answer_id, by_hand, the_one
-from .config import CourseError
-from .escape import no_formula, with_formula
+from .errors import CourseError
+from .escape import for_spreadsheet, from_spreadsheet
 from .files import write_atomically
 from .gradebook import Gradebook, Mark
+from .text_file import csv_rows, text_of
 
 __all__ = [
     "ByHand",
@@ -36,6 +38,7 @@ NEEDED = (
     "points",
     "answer_id",
 )  # the others are for the marker to read
+ID = "id-"  # in front of an answer's id: no spreadsheet takes the whole for a number or a date
 CHANGED = "The answer changed since it was marked by hand; it waits for a new mark."
 
 
@@ -123,11 +126,11 @@ def _row(one: ByHand) -> dict[str, str]:
         "part": one.part.variable,
         "points": points,
         "out_of": f"{one.part.points:g}",
-        "comment": no_formula(comment),
-        "answer": no_formula(one.answer),
-        "key": no_formula(one.key),
-        "rubric": no_formula("; ".join(rubric)),
-        "answer_id": one.answer_id,
+        "comment": for_spreadsheet(comment),
+        "answer": for_spreadsheet(one.answer),
+        "key": for_spreadsheet(one.key),
+        "rubric": for_spreadsheet("; ".join(rubric)),
+        "answer_id": f"{ID}{one.answer_id}",
         "code": one.code,
     }
 
@@ -165,43 +168,36 @@ def read_csv(path: Path, found: Sequence[ByHand], gradebook: Gradebook) -> int:
 
 
 def _rows(path: Path) -> Iterator[tuple[int, dict[str, str]]]:
-    """The lines of a file with their numbers; a cell that is not there is empty."""
-    try:
-        text = path.read_text(encoding="utf-8-sig")
-    except (OSError, UnicodeDecodeError) as error:
-        raise CourseError(f"{path} cannot be read as UTF-8 text: {error}") from error
-
-    heading = text.partition("\n")[0]
-    separator = ","
-    if heading.count(";") > heading.count(","):  # as spreadsheets write where commas are decimal
-        separator = ";"
-    reader = csv.DictReader(io.StringIO(text, newline=""), delimiter=separator)
-    try:
-        columns = reader.fieldnames or ()
-        for name in NEEDED:
-            if name not in columns:
-                raise CourseError(
-                    f"{path}: the column {name!r} is missing; `kinegrade marks write` has all "
-                    "columns"
-                )
-        for row in reader:
-            yield reader.line_num, {name: row.get(name) or "" for name in (*NEEDED, "comment")}
-    except csv.Error as error:
-        raise CourseError(f"{path}: not a CSV file: {error}") from error
+    """The rows of a file with their lines; a cell that is not there is empty."""
+    text = text_of(path, "`kinegrade marks write` makes it")
+    rows = csv_rows(path, text)
+    heading = next(rows, None)
+    columns: list[str] = []
+    if heading is not None:
+        columns = [cell.strip().lower() for cell in heading.cells]
+    for name in NEEDED:
+        if name not in columns:
+            raise CourseError(
+                f"{path}: the column {name!r} is missing; `kinegrade marks write` has all columns"
+            )
+    for row in rows:
+        cells: dict[str, str] = {"comment": ""}
+        cells |= dict.fromkeys(NEEDED, "")
+        cells.update(zip(columns, row.cells, strict=False))  # a row may be shorter
+        yield row.first, cells
 
 
 def _read_mark(found: Sequence[ByHand], row: Mapping[str, str]) -> Mark:
     one = the_one(found, row["student"].strip(), row["part"].strip(), row["sheet"].strip())
-    if row["answer_id"].strip() != one.answer_id:
+    if row["answer_id"].strip().removeprefix(ID) != one.answer_id:
         raise CourseError(
             f"{one.student}, {one.part.variable}: the answer changed since this file was written"
         )
-    comment = with_formula(" ".join(row["comment"].split()))
-    return one.new_mark(_points(row["points"].strip()), comment)
+    return one.new_mark(_points(row["points"].strip()), from_spreadsheet(row["comment"]))
 
 
 def _points(text: str) -> float:
-    try:
-        return float(text.replace(",", "."))
-    except ValueError:
-        raise CourseError(f"points take a number, got {text[:20]!r}") from None
+    points = plain_number(text.replace(",", "."))
+    if points is None:
+        raise CourseError(f"points take a number, got {text[:20]!r}")
+    return points

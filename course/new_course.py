@@ -5,7 +5,7 @@ from pathlib import Path
 from textwrap import wrap
 
 from ..exercises.files.finding import exercise_files
-from .config import CourseError, Settings, read_settings
+from .config import Course, CourseError, read_settings
 from .console import say
 from .files import write_atomically
 from .secret import FILE, write_secret
@@ -59,21 +59,26 @@ def _refuse_what_is_complete(folder: Path, settings: Path) -> None:
     if secret.exists() or read_settings(settings).secret:
         raise CourseError(f"{settings} is already there; init never overwrites a course")
     handed_out = (folder / "released").exists()
-    if handed_out or _has_records(folder / "gradebook.sqlite", read_settings(settings)):
+    if handed_out or _has_records(Course(folder, read_settings(settings), ())):
         raise CourseError(
             f"{settings} is already there and has handed out sheets, but {secret} is not there; "
             "put the backup of the secret back, since from a new one follow other numbers"
         )
 
 
-def _has_records(path: Path, settings: Settings) -> bool:
+def _has_records(course: Course) -> bool:
     """Whether numbers were drawn; a gradebook alone is made by every command that looks for one."""
-    if not path.exists():
-        return False
-    from .gradebook import Gradebook  # brings SQLAlchemy
+    from .gradebook import FILE as OWN  # brings SQLAlchemy
+    from .gradebook import gradebook_of
 
-    with Gradebook(path) as gradebook:
-        return any(gradebook.records(sheet.name) for sheet in settings.sheet)
+    elsewhere = course.settings.gradebook.url
+    if not elsewhere and not (course.folder / OWN).exists():
+        return False
+    with gradebook_of(course) as gradebook:
+        for sheet in course.settings.sheet:
+            if gradebook.records(sheet.name) or gradebook.damaged(sheet.name):
+                return True
+    return False
 
 
 def _written(path: Path, text: str) -> list[Path]:

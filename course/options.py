@@ -16,19 +16,32 @@ CourseOption = Annotated[Path, typer.Option("--course", "-c", help="The course f
 SheetArguments = Annotated[
     list[str] | None, typer.Argument(help="Names of sheets; all when none is given.")
 ]
+GradebookOption = Annotated[
+    str,
+    typer.Option(
+        "--gradebook",
+        envvar="KINEGRADE_GRADEBOOK",
+        help="A file, or postgresql://user@host/database; else what course.toml says, "
+        "else gradebook.sqlite in the course folder.",
+        show_envvar=True,
+    ),
+]
 JsonOption = Annotated[bool, typer.Option("--json", help="Print JSON instead of a table.")]
 
 
 @contextmanager
-def opened(folder: Path) -> "Generator[tuple[Course, Gradebook]]":
+def opened(folder: Path, place: str = "") -> "Generator[tuple[Course, Gradebook]]":
     """The course of a folder and its gradebook, which is closed at the end.
+
+    What a killed run left in the folder is cleared away first.
 
     Raises:
         CourseError: a file of the course is missing, unreadable, or cannot be meant.
     """
     from .config import read_course
-    from .gradebook import Gradebook
+    from .gradebook import gradebook_of
+    from .leftovers import cleared
 
     course = read_course(folder)
-    with Gradebook(folder / "gradebook.sqlite") as gradebook:
+    with cleared(folder), gradebook_of(course, place) as gradebook:
         yield course, gradebook

@@ -15,7 +15,7 @@ from ..exercises.exercise import Choice, Exercise, Manual, Part
 from ..grader.marking.verdict import STATUS_WORDS, Verdict
 from .config import Course, Sheet
 from .entries import Cell, entry_tables
-from .escape import printable
+from .escape import printable_lines
 from .files import write_atomically
 from .formulas import page_text
 from .grading import Result
@@ -99,7 +99,7 @@ def _findings(verdict: Verdict) -> list[dict[str, str]]:
     for finding in verdict.findings:
         if finding.private:
             continue
-        sentence, *typed = [printable(line) for line in finding.text.split("\n")]
+        sentence, *typed = finding.text.split("\n")
         shown.append({"sentence": sentence, "typed": "\n".join(typed)})
     return shown
 
@@ -112,9 +112,14 @@ def _matrices(part: Part, verdict: Verdict) -> list[list[list[Cell]]]:
 
 
 def write_report(
-    course: Course, sheets: Sequence[tuple[Sheet, Sequence[Exercise], Sequence[Result]]]
+    course: Course,
+    sheets: Sequence[tuple[Sheet, Sequence[Exercise], Sequence[Result]]],
+    level: str = "",
 ) -> Path:
-    """report/index.html: the class, part by part, with maps of the robots that were asked about."""
+    """report/index.html: the class, part by part, with maps of the robots that were asked about.
+
+    `level` is a sentence on how notebooks were run.
+    """
     path = course.folder / "report" / "index.html"
     blocks: list[Block] = []
     robots: set[str] = set()
@@ -126,7 +131,7 @@ def write_report(
 
     figures = [_figure(path.parent, name) for name in sorted(robots)]
     html = template("report.html").render(
-        course=course.settings.title, sheets=blocks, figures=figures
+        course=course.settings.title, sheets=blocks, figures=figures, level=level
     )
     write_atomically(path, html)
     return path
@@ -146,6 +151,7 @@ def _sheet_block(sheet: Sheet, exercises: Sequence[Exercise], results: Sequence[
         "graded": counts["graded"],
         "waiting": counts["not_graded"],
         "missing": counts["no_submission"],
+        "unsafe": sum(result.unsafe for result in results),
     }
 
 
@@ -225,11 +231,19 @@ def _environment() -> Environment:
     environment: Any = Environment(
         loader=FunctionLoader(_template_text),
         autoescape=True,
+        finalize=_shown,
         trim_blocks=True,
         lstrip_blocks=True,
     )
     environment.globals["style"] = Markup(_template_text("style.css"))  # noqa: S704 - our own file
     return environment
+
+
+def _shown(value: Any) -> Any:
+    """What a page shows of anything: text without control characters; our own markup as it is."""
+    if isinstance(value, str) and not isinstance(value, Markup):
+        return printable_lines(value)
+    return value
 
 
 def _template_text(name: str) -> str:

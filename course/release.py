@@ -13,7 +13,7 @@ from typing import Any
 
 from ..exercises.exercise import Exercise
 from ..exercises.files.finding import exercise_files, find
-from .config import Format, Sheet, Student
+from .config import Format, LimitsTable, PackagesTable, Sheet, Student
 from .files import write_atomically
 from .sheet.assignment import Assignment
 from .sheet.matlab import starter
@@ -39,6 +39,8 @@ class Order:
     student: Student
     numbers: tuple[dict[str, Any], ...]
     code: str
+    limits: LimitsTable
+    packages: PackagesTable
 
     def released(self, suffix: str) -> Path:
         """The student's file of that format."""
@@ -97,7 +99,7 @@ def _makers(
     front = Front(order.course, order.sheet, order.student, order.code)
     return {
         order.released("m"): lambda: starter(*about),
-        order.released("ipynb"): lambda: handout_notebook(*about),
+        order.released("ipynb"): lambda: handout_notebook(*about, order.limits, order.packages),
         order.solution("ipynb"): lambda: solution_notebook(*about),
         order.released("pdf"): lambda: pdf(handout_data(front, assignments)),
         order.solution("pdf"): lambda: pdf(solution_data(front, assignments)),

@@ -2,21 +2,30 @@
 
 from dataclasses import dataclass
 
-from ..grader.marking.verdict import Verdict
+from ..grader.marking.verdict import Finding, Verdict
 from .config import Course, Sheet, Student
 from .gradebook import Gradebook
 from .marks import with_marks
 from .sheets import asked_parts, exercises_of
 
+UNSAFE_STAMP = Finding(
+    "This notebook was run at level unsafe: it could have changed any marks.",
+    private=True,
+)
+
 
 @dataclass(frozen=True)
 class Result:
-    """One student's sheet: verdicts in the order of the parts, or why there are none."""
+    """One student's sheet: verdicts in the order of the parts, or why there are none.
+
+    `passed_over` names files that look like other versions of the one that was marked.
+    """
 
     student: Student
     sheet: str
     verdicts: tuple[Verdict, ...] = ()
     reason: str = ""
+    passed_over: tuple[str, ...] = ()
 
     @property
     def points(self) -> float | None:
@@ -25,6 +34,11 @@ class Result:
         if not known or len(known) < len(self.verdicts):
             return None
         return round(sum(known), 2)
+
+    @property
+    def unsafe(self) -> bool:
+        """Whether it was run without walls."""
+        return any(UNSAFE_STAMP in verdict.findings for verdict in self.verdicts)
 
     @property
     def out_of(self) -> float:
@@ -36,12 +50,14 @@ def recorded_results(course: Course, gradebook: Gradebook, sheet: Sheet) -> list
     """What the gradebook holds for every student of the roster; no submission is looked at."""
     current = gradebook.current(sheet.name)
     marks = gradebook.marks(sheet.name)
+    damaged = gradebook.damaged(sheet.name)
     parts = asked_parts(exercises_of(course, sheet))
 
     results: list[Result] = []
     for student in course.students:
-        if student.id not in current:
-            results.append(Result(student, sheet.name, reason="nothing marked yet"))
+        if student.id in damaged or student.id not in current:
+            reason = damaged.get(student.id, "nothing marked yet")
+            results.append(Result(student, sheet.name, reason=reason))
             continue
         verdicts = with_marks(current[student.id], student.id, marks, parts)
         results.append(Result(student, sheet.name, verdicts))

@@ -16,7 +16,7 @@ FOLLOWED = ("solutions", "exercises", "grader")  # course writes pages and files
 MARKING = (
     Path(mark.__file__).resolve(),
     Path(submissions.__file__).resolve(),
-    Path(collect.RUNNER).resolve(),  # started by path, never imported
+    Path(collect.RUN).resolve(),  # started by path, never imported
 )
 IMPORT = re.compile(
     r"(?:^|[:;])[ \t]*"

@@ -11,7 +11,8 @@ from ..exercises.exercise import Exercise, Part
 from ..exercises.files.finding import exercise_files, find
 from .check import read_handout
 from .config import Course, CourseError, Format, Sheet, Student, hint
-from .gradebook import Gradebook
+from .console import say
+from .gradebook import Gradebook, OvertakenError
 from .release import Order, write_all, write_solutions
 from .secret import read_secret
 from .sheet.given import printed
@@ -89,37 +90,34 @@ def generate(
 ) -> list[Released]:
     """A sheet, a worked solution and, where asked, a MATLAB script for every student.
 
-    `step` is called after each.
+    `step` is called after each. A student whose records are damaged is named and left out.
     """
     done: list[Released] = []
     secret = cache(lambda: read_secret(course))  # not asked for where all is drawn
     for sheet in sheets:
         exercises = exercises_of(course, sheet)
-        draws = _Draws(secret, sheet, exercises, gradebook.records(sheet.name))
+        draws = _Draws(secret, sheet, exercises, gradebook)
         new = [student for student in course.students if _is_new(course, sheet, student)]
-        orders = _orders(course, gradebook, sheet, exercises, draws)
-        for _ in write_all(orders, exercises, expected=len(new)):
+        for _ in write_all(_orders(course, sheet, draws, step), exercises, expected=len(new)):
             step()
         for student in course.students:
-            path = _released(course, sheet, student)
-            done.append(Released(student.id, sheet.name, path, new=student in new))
+            if student.id not in draws.damaged:
+                path = _released(course, sheet, student)
+                done.append(Released(student.id, sheet.name, path, new=student in new))
     return done
 
 
 def _orders(
-    course: Course,
-    gradebook: Gradebook,
-    sheet: Sheet,
-    exercises: list[Exercise],
-    draws: "_Draws",
+    course: Course, sheet: Sheet, draws: "_Draws", step: Callable[[], None]
 ) -> Iterator[Order]:
     """What is to be written for every student, whose numbers are recorded before that."""
     for student in course.students:
-        fresh = draws.complete(student)
-        records = draws.of(student)
-        if fresh:
-            _agree(_released(course, sheet, student, "ipynb"), exercises, records)
-            gradebook.save_records(fresh)
+        damage = draws.damaged.get(student.id)
+        if damage is not None:
+            say(f"{student.id}, sheet {sheet.name}: {damage}")
+            step()
+            continue
+        records = _recorded(draws, student, _released(course, sheet, student, "ipynb"))
         yield _order(course, sheet, student, records, draws.all_of(student))
 
 
@@ -128,10 +126,10 @@ def renew_solutions(
 ) -> int:
     """Writes the worked solutions of these students again; how many students that were."""
     exercises = exercises_of(course, sheet)
-    draws = _Draws(lambda: "", sheet, exercises, gradebook.records(sheet.name))
+    draws = _Draws(lambda: "", sheet, exercises, gradebook)
     renewed = 0
     for student in course.students:
-        if student.id not in students:
+        if student.id not in students or student.id in draws.damaged:
             continue
         order = _order(course, sheet, student, draws.of(student), draws.all_of(student))
         write_solutions(order, exercises)
@@ -161,7 +159,25 @@ def _order(
         student,
         tuple(record.numbers for record in records),
         variant_code(recorded),
+        course.settings.limits,
+        course.settings.packages,
     )
+
+
+def _recorded(draws: "_Draws", student: Student, path: Path) -> list[Record]:
+    """A student's records, drawn and saved where they were not."""
+    while True:
+        fresh = draws.complete(student)
+        records = draws.of(student)
+        if not fresh:
+            return records
+        _agree(path, draws.exercises, records)
+        try:
+            draws.gradebook.save_records(fresh)
+        except OvertakenError:  # what another kinegrade drew in the meantime holds
+            draws.read()
+        else:
+            return records
 
 
 class _Draws:
@@ -171,16 +187,22 @@ class _Draws:
         self,
         secret: Callable[[], str],
         sheet: Sheet,
-        exercises: Sequence[Exercise],
-        recorded: Iterable[Record],
+        exercises: list[Exercise],
+        gradebook: Gradebook,
     ) -> None:
         self._secret = secret
         self._sheet = sheet
-        self._exercises = exercises
+        self.exercises = exercises
+        self.gradebook = gradebook
+        self.read()
+
+    def read(self) -> None:
+        """Takes what the gradebook holds by now, and forgets what was drawn and not saved."""
         self._records: dict[tuple[str, str], Record] = {}
         self._taken: defaultdict[str, set[str]] = defaultdict(set)  # numbers as `canonical` text
-        for record in recorded:
+        for record in self.gradebook.records(self._sheet.name):
             self._add(record)
+        self.damaged = self.gradebook.damaged(self._sheet.name)
 
     def _add(self, record: Record) -> None:
         self._records[record.student, record.exercise] = record
@@ -188,7 +210,7 @@ class _Draws:
 
     def of(self, student: Student) -> list[Record]:
         """A student's records in the order of the exercises."""
-        return [self._records[student.id, exercise.slug] for exercise in self._exercises]
+        return [self._records[student.id, exercise.slug] for exercise in self.exercises]
 
     def all_of(self, student: Student) -> list[Record]:
         """A student's records, also of exercises that are no longer on the sheet."""
@@ -197,7 +219,7 @@ class _Draws:
     def complete(self, student: Student) -> list[Record]:
         """Draws what was not drawn for the student before, and returns that."""
         fresh: list[Record] = []
-        for exercise in self._exercises:
+        for exercise in self.exercises:
             slug = exercise.slug
             if (student.id, slug) in self._records:
                 continue

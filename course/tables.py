@@ -13,7 +13,7 @@ from rich.text import Text
 from ..exercises.exercise import Exercise, Manual
 from ..grader.marking.verdict import STATUS_WORDS, Status
 from .console import say
-from .escape import no_formula, printable
+from .escape import for_spreadsheet, printable
 from .grading import Result
 from .marks import ByHand
 
@@ -102,6 +102,9 @@ def remark(result: Result, *, public: bool = False) -> str:
     """
     if result.reason:
         return result.reason
+    if result.passed_over:
+        names = ", ".join(result.passed_over)
+        return f"also there, and not marked: {names}"
     for verdict in result.verdicts:
         if verdict.status == "correct":
             continue
@@ -118,7 +121,9 @@ def grades_csv(results: Sequence[Result], parts: Sequence[str]) -> str:
     """Every cell quoted; a grade that is not there is empty, never a zero."""
     out = io.StringIO()
     writer = csv.writer(out, quoting=csv.QUOTE_ALL, lineterminator="\n")
-    writer.writerow(["student", "name", "sheet", "status", "points", "out_of", *parts])
+    stamped = any(result.unsafe for result in results)
+    stamp = ["level"] if stamped else []
+    writer.writerow(["student", "name", "sheet", "status", "points", "out_of", *parts, *stamp])
     for result in results:
         out_of = None
         if result.verdicts:
@@ -127,15 +132,23 @@ def grades_csv(results: Sequence[Result], parts: Sequence[str]) -> str:
         writer.writerow(
             [
                 result.student.id,
-                no_formula(result.student.name),
+                for_spreadsheet(result.student.name),
                 result.sheet,
                 status(result),
                 _number(result.points),
                 _number(out_of),
                 *[_number(earned.get(part)) for part in parts],
+                *_stamp(result, stamped=stamped),
             ]
         )
     return out.getvalue()
+
+
+def _stamp(result: Result, *, stamped: bool) -> list[str]:
+    """What a line says of how its notebook was run, in a table where one ran without walls."""
+    if not stamped:
+        return []
+    return ["unsafe" if result.unsafe else ""]
 
 
 def _number(points: float | None) -> str:

@@ -76,14 +76,16 @@ class Outcome:
     """What a part's own `check` found: what is right, how the answer was read, and a finding.
 
     `right` is None where the usual comparison with the reference shall decide. `share` of the
-    points is earned where the right entries alone do not say it. Of a function, `right` has a flag
-    for every group of calls (`Results`), or a list of flags, one for each of its calls.
+    points is earned where the right entries alone do not say it; unless it is `final`, a mistake
+    that has a name leaves what it leaves elsewhere. Of a function, `right` has a flag for every
+    group of calls (`Results`), or a list of flags, one for each of its calls.
     """
 
     right: ArrayLike | Sequence[bool | Sequence[bool]] | None = None
     reading: str = ""
     finding: str = ""
     share: float | None = None
+    final: bool = True
 
 
 @dataclass(frozen=True)
@@ -143,6 +145,11 @@ class Part:
     mistakes: tuple[Mistake, ...] = ()
     explain: Callable[[Variant, Given], Sequence[Step]] | None = None
 
+    @property
+    def beside(self) -> dict[str, str]:
+        """Variables in which a student declares something beside the answer, by what it is."""
+        return {name: f"{self.variable}_{name}" for name in self.answer.declared_beside}
+
 
 @dataclass(frozen=True, eq=False)
 class Exercise:
@@ -151,14 +158,15 @@ class Exercise:
     `draw(rng)` returns plain numbers; they pass through JSON before anything is computed. `units`
     give the unit of every drawn number that is printed (nested like the number itself); what is not
     listed there is not printed. `hidden` names drawn numbers that stay with the instructor, such as
-    the inputs of a function; `structure` names drawn choices of form, which are neither printed nor
-    secret and can be pinned for a whole class. `symbols` are the LaTeX of printed names that are
-    more than letters and an index. `scale(v)` is a typical length [m] that linear tolerances are
-    measured against. `named` are the names of which every one is drawn for some student. `robot`
-    names a robot of the catalogue whose map stands in the report. `rows` is the order of rows in
-    every Jacobian and twist of the exercise: what the sheet says of it and what findings say follow
-    it; `solve` and the units of an answer stand in that order themselves. `solved_drawings` are the
-    figures that only the worked solution shows.
+    the inputs of a function; `structure` names drawn choices of form, which tell no answer, stand
+    on the sheet in a line of their own, and can be pinned for a whole class, as hidden ones can.
+    `symbols` are the LaTeX of printed names that are more than letters and an index. `scale(v)` is
+    a typical length [m] that linear tolerances are measured against. `named` are the names of which
+    every one is drawn for some student. `robot` names a robot of the catalogue whose map stands in
+    the report; `arm(v)` is the robot as one student has it, from which known mistakes of any arm
+    are computed. `rows` is the order of rows in every Jacobian and twist of the exercise: what the
+    sheet says of it and what findings say follow it; `solve` and the units of an answer stand in
+    that order themselves. `solved_drawings` are the figures that only the worked solution shows.
     """
 
     slug: str
@@ -176,6 +184,7 @@ class Exercise:
     structure: tuple[str, ...] = ()
     robot: str | None = None
     drawings: Callable[[Variant], tuple[Drawing, ...]] = field(default=lambda _: ())
+    arm: Callable[[Variant], Any] | None = None
     rows: Rows = "linear, angular"
     named: tuple[str, ...] = ()
     solved_drawings: Callable[[Variant], tuple[Drawing, ...]] = field(default=lambda _: ())

@@ -139,8 +139,9 @@ def exercise(
         statement: Text or a function that returns it; a robot alone brings one.
         drawings: Returns a `Drawing` or several; a robot alone brings one.
         units: The unit of every drawn number that is printed.
-        hidden: Drawn numbers for the instructor alone.
-        structure: Drawn choices of form, neither printed nor secret.
+        hidden: Drawn numbers that no sheet prints as such: inputs of a function, or the index of a
+            sentence that the statement prints, which would tell the answer of a choice.
+        structure: Drawn choices of form, which the sheet prints below the numbers.
         scale: A typical length [m], by default the size of the arm.
         rows: The order of the rows of a twist.
         robot_map: A robot of the catalogue whose map stands in the report.
@@ -180,6 +181,7 @@ def exercise(
         structure=structure,
         drawings=figures,
         solved_drawings=with_frames(names, figures),
+        arm=names.arm,
         rows=rows,
         named=(*own_units, *unprinted),
         robot=robot_map,

@@ -10,7 +10,7 @@ from .chain import Array, Chain
 from .limits import TURN
 from .robot import ALL, LINEAR, Motion, Robot
 from .table import joint_names, read_table
-from .urdf import read_urdf
+from .urdf import UrdfError, read_urdf
 
 STROKE = (0.1, 1.0)  # of a slide whose limits nobody said [m]
 MOVES = {"R": "Rz", "P": "Tz"}
@@ -83,6 +83,11 @@ def robot_from_urdf(
 ) -> Robot:
     """The robot between two links of a URDF, with its limits; see `read_urdf`. Raises UrdfError."""
     arm = read_urdf(text_or_path, base, tip)
+    if arm.is_coupled:
+        raise UrdfError(
+            f"a robot takes joints that move by themselves between {arm.base} and {arm.tip}, "
+            "got one that mimics another; read_urdf has the Jacobian of such an arm"
+        )
     return robot_from_chain(arm.chain, title=title, limits=arm.limits)
 
 

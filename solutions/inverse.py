@@ -13,6 +13,7 @@ from .descent import Outcome, Problem, Stop, descend
 from .displacement import displacement
 from .kinematics import forward
 from .limits import are_outside
+from .many_starts import descend_from_many
 from .rotation import rotations
 from .velocity import chosen_rows
 
@@ -78,6 +79,7 @@ def inverse_kinematics(
     rotation_tolerance: float = 1e-9,
     longest_step: float = 0.3,
     iterations: int = 200,
+    starts: int = 1,
 ) -> Solution:
     """Joint values near `start` at which the tool has the pose `target`, or the closest reached.
 
@@ -96,7 +98,11 @@ def inverse_kinematics(
         position_tolerance: [m]; by default 1e-9 of the length of the arm.
         rotation_tolerance: [rad].
         longest_step: The most that a joint moves in one step [rad, lengths of the arm].
-        iterations: The most steps that are tried.
+        iterations: The most steps that are tried from one place.
+        starts: Places to start from, of which `start` is the first. With more than one, others are
+            spread over the limits and go down together, and a joint that passes a limit goes on a
+            full turn away where that is within: the result may be far from `start`. With 100,
+            nearly every pose within reach is met.
 
     Raises:
         ChainError: An argument of the wrong form, or a start outside the limits. That no solution
@@ -116,6 +122,9 @@ def inverse_kinematics(
     if not isinstance(iterations, Integral) or iterations < 0:
         raise ChainError(f"iterations takes a whole number from 0, got {iterations!r}")
 
+    if not isinstance(starts, Integral) or starts < 1:
+        raise ChainError(f"starts takes a whole number from 1, got {starts!r}")
+
     problem = Problem(
         chain=chain,
         target=wanted,
@@ -126,7 +135,11 @@ def inverse_kinematics(
         position_tolerance=position_tolerance,
         rotation_tolerance=rotation_tolerance,
     )
-    return _solution(problem, descend(problem, q, longest_step, iterations))
+    if starts == 1:
+        outcome = descend(problem, q, longest_step, iterations)
+    else:
+        outcome = descend_from_many(problem, q, int(starts), longest_step, iterations)
+    return _solution(problem, outcome)
 
 
 def _solution(problem: Problem, outcome: Outcome) -> Solution:

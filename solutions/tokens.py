@@ -127,6 +127,8 @@ def tokens_of(text: str, signs: frozenset[str] = FORMULA) -> list[Token]:
             tokens.append(Token("sign", "\n", place))
         elif kind == "name" and len(found) > NAME:
             raise ExpressionError(f"a name takes up to {NAME} characters", place)
+        elif kind == "number" and text[match.end() : match.end() + 1] == "_":
+            raise ExpressionError("a number takes no '_' between its digits", match.end())
         elif kind in ("number", "name", "end"):
             tokens.append(Token(kind, found.translate(TRANSLATED), place, found))
     return tokens
@@ -134,6 +136,8 @@ def tokens_of(text: str, signs: frozenset[str] = FORMULA) -> list[Token]:
 
 def _sign(found: str, place: int, signs: frozenset[str]) -> Token:
     plain = SIGNS.get(found, found)
+    if found.isdecimal():
+        raise ExpressionError(f"numbers take the digits 0 to 9, got {found!r}", place)
     if plain not in signs:
         raise ExpressionError(f"{found!r} has no meaning in a formula", place)
     return Token("sign", plain, place)

@@ -6,15 +6,13 @@ import numpy as np
 
 from .axes import PlacedJoint, along
 from .chain import Array, steps_transform
-from .errors import KinegradeError
 from .limits import TURN
+from .rotation import inverse_transform
+from .urdf_text import UrdfError
 
 KINDS = {"revolute": "R", "continuous": "R", "prismatic": "P"}
+FREE = ("floating", "planar")  # joints of a base that drives or flies
 SHORTEST = 1e-9  # of an axis with a direction
-
-
-class UrdfError(KinegradeError):
-    """A URDF text that describes no serial chain."""
 
 
 def joint_name(joint: ET.Element) -> str:
@@ -33,21 +31,27 @@ def joint_link(joint: ET.Element, side: str) -> str:
 def joint_kind(joint: ET.Element) -> str:
     """Letter "R" or "P" of a joint on the way, empty for a fixed one. Raises UrdfError."""
     kind = joint.get("type", "")
+    if kind in FREE:
+        raise UrdfError(
+            f"joint {joint_name(joint)} takes a type of {', '.join([*KINDS, 'fixed'])} on the way "
+            f"to the tip, got {kind}; choose a base behind it: "
+            f"base={joint_link(joint, 'child')!r}"
+        )
     if kind not in KINDS and kind != "fixed":
         valid = ", ".join([*KINDS, "fixed"])
         raise UrdfError(
             f"joint {joint_name(joint)} takes a type of {valid} on the way to the tip, "
             f"got {kind or 'none'}"
         )
-    if joint.find("mimic") is not None:
-        raise UrdfError(
-            f"joint {joint_name(joint)} takes a motion of its own on the way to the tip, got mimic"
-        )
     return KINDS.get(kind, "")
 
 
-def joint_moves(joint: ET.Element) -> list[Array | PlacedJoint]:
-    """The constant transform to a joint, and the joint if it is not fixed. Raises UrdfError."""
+def joint_moves(joint: ET.Element, *, upwards: bool = False) -> list[Array | PlacedJoint]:
+    """The constant transform to a joint, and the joint if it is not fixed.
+
+    On a way that leads `upwards`, from the child to the parent, both are the other way round.
+    Raises UrdfError.
+    """
     origin = joint.find("origin")
     x, y, z = _three_numbers(joint, origin, "xyz", "0 0 0")
     roll, pitch, yaw = _three_numbers(joint, origin, "rpy", "0 0 0")
@@ -56,17 +60,36 @@ def joint_moves(joint: ET.Element) -> list[Array | PlacedJoint]:
     )
     kind = joint_kind(joint)
     if not kind:
-        return [placed]
+        return [inverse_transform(placed) if upwards else placed]
 
     axis = np.array(_three_numbers(joint, joint.find("axis"), "xyz", "1 0 0"))
     length = float(np.linalg.norm(axis))
     if length < SHORTEST:
         raise UrdfError(f"joint {joint_name(joint)} takes an axis with a direction, got zeros")
+    if upwards:  # E(q) about the axis undone is E(q) about its opposite
+        return [(kind, along(-axis / length)), inverse_transform(placed)]
     return [placed, (kind, along(axis / length))]
 
 
+def mimicked(joint: ET.Element) -> tuple[str, float, float] | None:
+    """The joint that this one follows, with multiplier and offset [rad or m]; None for none.
+
+    Raises UrdfError.
+    """
+    mimic = joint.find("mimic")
+    if mimic is None or not joint_kind(joint):
+        return None
+    followed = attribute(mimic, "joint", f"mimic of joint {joint_name(joint)}")
+    multiplier = _number(joint, mimic.get("multiplier", "1"), "the multiplier of mimic")
+    offset = _number(joint, mimic.get("offset", "0"), "the offset of mimic")
+    return followed, multiplier, offset
+
+
 def joint_limits(joint: ET.Element) -> tuple[float, float]:
-    """Limits [rad or m] of a joint that moves, one turn for a continuous one. Raises UrdfError."""
+    """Limits [rad or m] of a joint that moves, one turn for a continuous one.
+
+    Reversed ones are put in order; `reversed_limits` says that they were. Raises UrdfError.
+    """
     if joint.get("type") == "continuous":
         return TURN
 
@@ -77,12 +100,22 @@ def joint_limits(joint: ET.Element) -> tuple[float, float]:
         )
     low = _number(joint, limit.get("lower", "0"), "the limit lower")
     high = _number(joint, limit.get("upper", "0"), "the limit upper")
-    if low > high:
-        raise UrdfError(
-            f"joint {joint_name(joint)} takes a lower limit below the upper one, "
-            f"got {low:g} and {high:g}"
-        )
-    return low, high
+    return min(low, high), max(low, high)
+
+
+def reversed_limits(joint: ET.Element) -> str:
+    """What to say of limits that stand the other way round; empty where they do not."""
+    limit = joint.find("limit")
+    if joint.get("type") == "continuous" or limit is None:
+        return ""
+    low = _number(joint, limit.get("lower", "0"), "the limit lower")
+    high = _number(joint, limit.get("upper", "0"), "the limit upper")
+    if low <= high:
+        return ""
+    return (
+        f"joint {joint_name(joint)} has its lower limit {low:g} above the upper one {high:g}; "
+        "they were exchanged"
+    )
 
 
 def attribute(element: ET.Element, key: str, what: str) -> str:

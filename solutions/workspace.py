@@ -1,30 +1,25 @@
-"""Where the tool gets.
+"""Where the tool gets: the section of its workspace, with exact curves that bound and cross it."""
 
-Its reach, and the section of its workspace with the exact curves that bound and cross it.
-"""
-
-from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .chain import Chain
-from .kinematics import forward
+from .reach import reach
 from .sections.approach import configurations, in_axis_frame, projected
 from .sections.barriers import barriers
-from .sections.cells import Extent, beside_empty, filled, raster, spread
+from .sections.cells import Extent, beside_empty, filled, raster
 from .sections.sides import on_boundary
 from .singularity import Parameters, RegionalArm, Values, arm, sigma_min, task_block, zero_set
+from .spread import spread
 
 if TYPE_CHECKING:
     from .robots import Robot
 
+__all__ = ["LIMITS", "SINGULAR", "Curve", "Section", "meridian", "reach", "section"]
 SAMPLES = 181  # per joint of a section
-NODES = 60_000  # of the first grid that a minimum is sought on
-FEWEST = 5  # of its nodes per joint
-CLOSING = 7  # nodes per joint of the grids that close in
 FINER = 6  # bilinear points between two samples; their error is far below a cell
 LIMITS = "joint limits"
 SINGULAR = "singular: no velocity across"  # curves of a section that three joints or more span
@@ -71,27 +66,6 @@ def meridian(chain: Chain, q: ArrayLike) -> Values:
     return projected(in_axis_frame(chain, q), ("r", "z"))
 
 
-def reach(
-    robot: "Robot", parameters: Parameters = None, *, of: Literal["axis 1", "base"] = "axis 1"
-) -> tuple[float, float]:
-    """The smallest and largest distance [m] of the tool within the joint limits.
-
-    It is measured from axis 1 or from the base origin. For an arm with a wrist it is the wrist
-    centre's.
-    """
-    part = arm(robot, parameters)
-
-    def distance(q: Values) -> Values:
-        if of == "axis 1":
-            return meridian(part.chain, q)[..., 0]
-        return np.linalg.norm(forward(part.chain, q)[..., :3, 3], axis=-1)
-
-    def nearness(q: Values) -> Values:
-        return -distance(q)
-
-    return _least(distance, part), -_least(nearness, part)
-
-
 def section(robot: "Robot", parameters: Parameters = None, *, cells: int = 320) -> Section:
     """The section of the workspace within the joint limits.
 
@@ -114,7 +88,7 @@ def section(robot: "Robot", parameters: Parameters = None, *, cells: int = 320) 
 
 def _plane(part: RegionalArm) -> tuple[tuple[str, str], tuple[int, ...]]:
     """The coordinates of the section and the joints that change something in it."""
-    q = spread(part, 64)
+    q = spread(part.limits, 64)
     reached = in_axis_frame(part.chain, q)
     if part.chain.kinds[0] == "P" or np.ptp(reached[:, 2]) <= 1e-9 * np.abs(reached).max():
         axes, first = ("x", "y"), 0
@@ -202,26 +176,3 @@ def _limit_curves(part: RegionalArm, free: tuple[int, ...]) -> list[tuple[str, V
             q[:, swept] = np.linspace(*part.limits[swept], 2 * SAMPLES)
             curves.append((LIMITS, q))
     return curves
-
-
-def _least(value: Callable[[Values], Values], part: RegionalArm) -> float:
-    """The minimum of a function over the joint limits: a grid that closes in on its best point."""
-    limits = np.asarray(part.limits, dtype=np.float64)
-    low, high = limits[:, 0], limits[:, 1]
-    count = max(FEWEST, int(NODES ** (1 / part.chain.n)))
-    centre = (low + high) / 2
-    half = (high - low) / 2
-    best = np.inf
-    while half.max() > 1e-14:
-        left, right = np.maximum(low, centre - half), np.minimum(high, centre + half)
-        lines = np.linspace(left, right, count).T
-        q = np.stack(np.meshgrid(*lines, indexing="ij"), axis=-1).reshape(-1, part.chain.n)
-        found = value(q)
-        best = min(best, float(found.min()))
-        centre = q[found.argmin()]
-        if count > CLOSING:  # after the first, fine grid: one step and a half on either side
-            half = half * (3 / count)
-            count = CLOSING
-        else:
-            half = half * 0.6
-    return best

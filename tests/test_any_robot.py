@@ -9,7 +9,7 @@ from kinegrade.solutions.jacobian import jacobian
 from kinegrade.solutions.kinematics import forward
 from kinegrade.solutions.random_chain import random_chain
 from kinegrade.solutions.robots import ROBOTS
-from kinegrade.solutions.urdf import read_urdf
+from kinegrade.solutions.urdf import UrdfError, read_urdf
 
 URDF = """<robot name="arm"><link name="base"/><link name="a"/><link name="b"/>
 <joint name="turn" type="revolute"><parent link="base"/><child link="a"/><origin xyz="0.1 0.2 0.3" rpy="0.4 0.5 0.6"/>
@@ -63,3 +63,14 @@ def test_right_angles_stay_exact():
         if motion[0] == "R" and "q" not in amount
     }
     assert words <= {"2*pi/4", "-2*pi/4", "4*pi/4"}
+
+
+def test_a_robot_with_a_mimic_joint_is_refused_with_the_way_out():
+    text = (
+        "<robot><link name='a'/><link name='b'/><link name='c'/>"
+        "<joint name='j' type='revolute'><parent link='a'/><child link='b'/><limit/></joint>"
+        "<joint name='k' type='revolute'><parent link='b'/><child link='c'/>"
+        "<mimic joint='j'/><limit/></joint></robot>"
+    )
+    with pytest.raises(UrdfError, match="one that mimics another; read_urdf has the Jacobian"):
+        robot_from_urdf(text)

@@ -3,17 +3,18 @@
 import json
 import re
 import shutil
+from collections import defaultdict
 
 import numpy as np
 import pytest
 from answers import EXERCISES, SLUGS, answer_code, flat, part_of, telling, variant_of, wrong_code
 from courses import BUNDLED, handed_out, make_course, notebook
-from kinegrade.course.check import _told, check_file, read_handout, with_samples
+from kinegrade.course.check import _told, check_file, read_handout, unseen_parts, with_samples
 from kinegrade.course.config import CourseError
 from kinegrade.course.demo import fill_in
 from kinegrade.course.gradebook import Gradebook
 from kinegrade.course.sheet.notebook import printed
-from kinegrade.exercises.exercise import ExerciseError, Function, references
+from kinegrade.exercises.exercise import Choice, ExerciseError, Function, references
 from kinegrade.grader.marking.own_work import Remark
 from kinegrade.grader.marking.verdict import Finding, Verdict, not_graded
 
@@ -195,11 +196,12 @@ def test_numbers_that_stand_in_for_hidden_ones_are_those_of_another_draw():
     assert with_samples(plain, {"d1": 1.0}) == {"d1": 1.0}
 
 
-def test_hidden_numbers_stand_nowhere_in_what_is_handed_out(tmp_path):
-    assert HIDING
-    slugs = tuple(exercise.slug for exercise in HIDING)
+@pytest.mark.parametrize("exercise", HIDING, ids=lambda exercise: exercise.slug)
+def test_hidden_numbers_stand_nowhere_in_what_is_handed_out(tmp_path, exercise):
     course = handed_out(
-        make_course(tmp_path, exercises=slugs, students=[("ada", "Ada")], more="matlab = true\n")
+        make_course(
+            tmp_path, exercises=[exercise.slug], students=[("ada", "Ada")], more="matlab = true\n"
+        )
     )
     released = course.folder / "released" / "ada"
     handout = read_handout(released / "one.ipynb")
@@ -208,16 +210,82 @@ def test_hidden_numbers_stand_nowhere_in_what_is_handed_out(tmp_path):
         for path in sorted(released.iterdir())
     ]
     assert len(texts) == 2  # the notebook and the script
-    for exercise in HIDING:
-        v = drawn(course, exercise.slug)
-        hidden = {repr(abs(x)) for name in exercise.hidden for x in flat(v[name])}
-        open_ = {repr(abs(x)) for x in flat(printed(exercise, v))}
-        telling = {text for text in hidden - open_ if len(text) > 4}
-        assert len(telling) > 20
-        assert not set(handout.numbers[exercise.slug]) & set(exercise.hidden)
-        for text in texts:
-            assert set(re.findall(r"\d+\.\d+", text)) & open_
-            assert not set(re.findall(r"\d+\.\d+", text)) & telling
+    v = drawn(course, exercise.slug)
+    hidden = {repr(abs(x)) for name in exercise.hidden for x in flat(v[name])}
+    open_ = {repr(abs(x)) for x in flat(printed(exercise, v))}
+    telling = {text for text in hidden - open_ if len(text) > 4}
+    assert len(telling) >= TELLING[exercise.slug]
+    assert not set(handout.numbers[exercise.slug]) & set(exercise.hidden)
+    for text in texts:
+        assert not open_ or set(re.findall(r"\d+\.\d+", text)) & open_
+        assert not set(re.findall(r"\d+\.\d+", text)) & telling
+
+
+TELLING = {
+    "implement_it": 20, "pseudoinverse": 3, "prismatic_columns": 0, "articulated_derivatives": 0,
+}  # fmt: skip
+
+
+def test_every_number_of_the_metadata_is_printed(bundled_course):
+    """In the cells that set the numbers, or in the line that says the form."""
+    path = bundled_course.folder / "released" / "ada" / "one.ipynb"
+    notebook = json.loads(path.read_text(encoding="utf-8"))
+    text = "".join("".join(cell["source"]) for cell in notebook["cells"])
+    shown = re.sub(r"data:image/[^\"]+", "", text)
+    numbers = notebook["metadata"]["kinegrade"]["numbers"]
+    assert set(numbers) == set(BUNDLED)
+    for slug, values in numbers.items():
+        for name, value in values.items():
+            if name in EXERCISES[slug].structure:
+                assert f"`{name} = {value!r}`" in shown
+                continue
+            assert f"{slug}_{name} = " in shown
+            for x in flat(value):
+                assert repr(x) in shown
+
+
+def test_no_choice_follows_from_the_number_of_a_form(exercise):
+    """Draws of one form differ in the answer, unless all draws have the same."""
+    draws = [variant_of(exercise.slug, seed) for seed in range(40)]
+    for part in exercise.asked:
+        if not isinstance(part.answer, Choice):
+            continue
+        letters = [references(exercise, v)[part.variable] for v in draws]
+        for name in exercise.structure:
+            if isinstance(draws[0][name], list) or len(set(letters)) == 1:
+                continue
+            by_form = defaultdict(set)
+            for v, letter in zip(draws, letters, strict=True):
+                by_form[v[name]].add(letter)
+            assert any(len(found) > 1 for found in by_form.values())
+
+
+UNSEEN = {
+    "articulated_derivatives": {"articulated_derivatives_point"},
+    "prismatic_columns": {"prismatic_columns_why", "prismatic_columns_units"},
+}
+
+
+def test_a_part_that_hangs_on_words_of_the_sheet_is_not_judged_by_others(exercise):
+    v = variant_of(exercise.slug)
+    assert unseen_parts(exercise, printed(exercise, v)) == UNSEEN.get(exercise.slug, set())
+    assert unseen_parts(exercise, v) == set()  # an older sheet has them all
+
+
+@pytest.mark.parametrize("letter", "abcd")
+@pytest.mark.parametrize("mode", MODES)
+def test_such_a_part_is_read_and_no_more(tmp_path, mode, letter):
+    data = solved(
+        mode,
+        lambda name, answer: letter if name == "prismatic_columns_why" else answer,
+        slugs=("prismatic_columns",),
+    )
+    remarks = {remark.part: remark for remark in checked(tmp_path, data)[1]}
+    remark = remarks["prismatic_columns_why"]
+    assert (remark.ok, remark.text.startswith("can be read; whether it is right hangs on")) == (
+        True,
+        True,
+    )
 
 
 def drawn(course, slug):

@@ -1,8 +1,7 @@
 """Notebooks run in a process of their own; a broken cell costs its own answers and nothing else."""
 
 import json
-import re
-import time
+from contextlib import nullcontext
 from pathlib import Path
 
 import nbformat
@@ -10,10 +9,23 @@ import numpy as np
 import pytest
 from kinegrade.grader.collecting import ask, wire
 from kinegrade.grader.collecting.ask import Ask, AskError, Limits
-from kinegrade.grader.collecting.collect import RUNNER, collect
+from kinegrade.grader.collecting.collect import cannot_run, collect
+from kinegrade.grader.inside import limits as inside
+from kinegrade.grader.jail.jail import best_level
+from kinegrade.grader.jail.level import ANY, JailError
 
 LIMITS = Limits(cell_seconds=20, notebook_seconds=60)  # nothing here is a race with the machine
 LOOPS = Limits(cell_seconds=1, notebook_seconds=60)
+
+
+@pytest.fixture(autouse=True, scope="module")
+def kept(jail):
+    """All notebooks of this file run in one jail."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(
+            "kinegrade.grader.collecting.collect.Jail", lambda *_, **__: nullcontext(jail)
+        )
+        yield
 
 
 def notebook(*sources):
@@ -158,8 +170,11 @@ def test_what_is_no_matrix_says_what_it_is(code, kind, words):
         ("y = x = [1, 2", "is not Python"),
         ("import sys\nx = sys.exit(3)", "SystemExit"),
         ("x = 'a' * 10**11", "more memory"),
-        ("from kinegrade.solutions.jacobian import jacobian\nx = jacobian", "ModuleNotFoundError"),
-        ("%run other.py\nx = 2", "is not run when a sheet is marked"),
+        (
+            "from kinegrade.solutions.jacobian import jacobian\nx = jacobian(1)",
+            "kinegrade is not inst",
+        ),
+        ("%cython\nx = 2", "the magic %cython is not run when a sheet is marked"),
     ],
 )
 def test_a_failing_cell_costs_its_own_answer_and_says_why(code, words):
@@ -175,7 +190,6 @@ def test_a_failing_cell_costs_its_own_answer_and_says_why(code, words):
     "code",
     [
         "import os\nos._exit(0)",
-        "import os, signal\nos.kill(os.getpid(), signal.SIGKILL)",
         "from signal import *\nfor bell in (SIGALRM, SIGPROF): signal(bell, SIG_IGN)\nwhile True: pass",
         "import ctypes\nctypes.string_at(0)",
     ],
@@ -188,8 +202,9 @@ def test_a_cell_that_ends_or_blocks_the_process_leaves_the_earlier_answers(code)
         limits=Limits(cell_seconds=1, notebook_seconds=4),
     )
     assert value(found["a"]) == 1
-    assert found["c"].kind == "error"
-    assert "stopped after 4 s" in found["c"].value or "ended its own process" in found["c"].value
+    assert found["c"].kind in ("error", "interrupted")  # the latter on a machine that is busy
+    reasons = ("stopped after 4 s", "after 4 s the notebook had", "ended its own process")
+    assert any(reason in found["c"].value for reason in reasons)
 
 
 def test_a_value_that_loops_while_it_is_read_costs_only_itself():
@@ -232,9 +247,9 @@ def test_a_long_error_costs_no_more_than_its_end():
 
 
 def test_an_error_that_follows_from_an_earlier_cell_names_that_cell():
-    said = run("import no_such_package\na = 1", "x = a")["x"].value
+    said = run("from numpy import no_such_name\na = 1", "x = a")["x"].value
     assert "cell 2 stopped with NameError" in said
-    assert "before that, cell 1 stopped with ModuleNotFoundError" in said
+    assert "before that, cell 1 stopped with ImportError" in said
 
 
 def test_a_cell_that_stops_half_way_leaves_its_value_and_says_so():
@@ -262,14 +277,6 @@ def test_a_file_that_is_no_notebook_says_what_it_is(data, words):
 def test_an_array_of_formulas_is_text():
     found = run("import numpy as np\nx = np.array([['q1', 'd1'], ['q2', 0]], dtype=object)")["x"]
     assert (found.kind, found.value[0]) == ("text", ["q1", "d1"])
-
-
-def test_children_of_a_notebook_do_not_outlive_it(tmp_path):
-    marker = tmp_path / "alive"
-    child = f"import time; time.sleep(1.5); open({str(marker)!r}, 'w')"
-    run(f"import subprocess, sys\nsubprocess.Popen([sys.executable, '-c', {child!r}])\nx = 1")
-    time.sleep(2)
-    assert not marker.exists()
 
 
 def test_the_process_has_a_clean_environment_and_an_empty_folder(monkeypatch):
@@ -318,8 +325,12 @@ def test_an_old_notebook_with_worksheets_is_read():
     assert value(collect(json.dumps(old).encode(), [Ask("x")], LIMITS)["x"]) == 5
 
 
-def test_a_notebook_that_is_too_large_is_refused_unread():
-    assert "MB" in collect(b" " * (21 << 20), [Ask("x")])["x"].value
+def test_outputs_are_dropped_before_the_size_is_judged():
+    content = json.loads(notebook("x = 1"))
+    content["cells"][0]["outputs"] = [{"output_type": "stream", "text": "x" * (26 << 20)}]
+    assert value(collect(json.dumps(content).encode(), [Ask("x")])["x"]) == 1
+    said = collect(notebook("#" * (5 << 20)), [Ask("x")])["x"].value
+    assert said == "its code cells hold 5 million characters; a notebook may have 4 million"
 
 
 def test_a_notebook_that_writes_to_every_descriptor_spoils_only_itself():
@@ -493,18 +504,16 @@ def test_a_text_that_is_slow_to_print_is_tried_once():
     assert value(found["y"]) == 1
 
 
-def test_the_runner_has_the_limits_of_the_wire():
-    text = RUNNER.read_text(encoding="utf-8")
-    shared = text.partition("# As in wire.py and ask.py:\n")[2].partition("#")[0]
-    limits = dict(re.findall(r"^(MAX_\w+) = ([\d_]+)$", shared, re.MULTILINE))
-    assert len(limits) == 5
-    for name, value in limits.items():
-        assert int(value) == (getattr(wire, name, None) or getattr(ask, name))
+@pytest.mark.parametrize("name", ["MAX_ELEMENTS", "MAX_ROWS", "MAX_SAID", "MAX_TEXT", "MAX_CALLS"])
+def test_the_students_process_has_the_limits_of_the_wire(name):
+    assert getattr(inside, name) == (getattr(wire, name, None) or getattr(ask, name))
 
 
 def test_where_notebooks_cannot_run_a_sentence_says_so(monkeypatch):
-    monkeypatch.setattr("kinegrade.grader.collecting.collect.resource", None)
-    assert "notebooks are marked on Linux" in run("x = 1")["x"].value
+    monkeypatch.setattr("sys.platform", "darwin")
+    assert "notebooks are marked on Linux" in cannot_run()
+    with pytest.raises(JailError, match="notebooks are marked on Linux"):
+        best_level(ANY)
 
 
 def test_sympy_with_the_dust_of_floats_is_read_as_meant():

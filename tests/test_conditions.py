@@ -2,12 +2,16 @@
 
 import numpy as np
 import pytest
+from answers import EXERCISES, right_raws, variant_of
 from kinegrade.exercises.answers import Conditions
 from kinegrade.grader.collecting.wire import Raw
-from kinegrade.grader.kinds.conditions import read_conditions
+from kinegrade.grader.kinds.conditions import MARKER, MOST_WORK, read_conditions
+from kinegrade.grader.kinds.marker import Wanted
+from kinegrade.grader.kinds.work import budget
 from kinegrade.grader.kinds.zero_sets import judge_conditions
+from kinegrade.grader.marking.mark import mark
 from kinegrade.grader.reading.unreadable import Unreadable
-from kinegrade.solutions.expression import parse
+from kinegrade.solutions.expression import Expression, parse
 
 V = {"a1": 0.3, "l3": 0.4, "q": [0.1, 0.2, 0.3]}
 NAMES = ("a1", "l3", "q1", "q2", "q3")
@@ -151,3 +155,55 @@ def test_what_is_no_condition_is_refused(raw, words):
     with pytest.raises(Unreadable) as caught:
         read_conditions(Conditions(NAMES, lambda _: DOMAIN), raw, V)
     assert words in str(caught.value)
+
+
+PRODUCT = "sin(q1*17 + q2*13)" + "".join(f"*sin(q1 + q2 + {i})" for i in range(20))
+LABORIOUS = {
+    "products": [f"{PRODUCT}*cos(q3 + {i})" for i in range(32)],
+    "sums that are never zero": [
+        f"{i + 1} + " + " + ".join(f"(q1 + {k})^2" for k in range(20)) for i in range(32)
+    ],
+    "one formula of many waves": [" + ".join(f"sin({i}*q1)*cos({i}*q2)*q3" for i in range(1, 300))],
+}
+
+
+@pytest.mark.parametrize("name", LABORIOUS)
+def test_conditions_that_take_too_much_work_are_refused_before_it_is_done(name, monkeypatch):
+    done = []
+    at = Expression.at
+
+    def counted(expression, values):
+        result = at(expression, values)
+        done.append(len(expression.nodes) * np.size(result))
+        return result
+
+    answer = Conditions(NAMES, lambda _: DOMAIN)
+    own = read_conditions(answer, Raw("text", LABORIOUS[name]), V)
+    wanted = Wanted((parse("sin(q2)", NAMES),), {}, np.zeros(0))
+    monkeypatch.setattr(Expression, "at", counted)
+    with pytest.raises(Unreadable, match="cannot be read in reasonable time"):
+        MARKER.compared(answer, V, wanted, own)
+    assert sum(done) <= MOST_WORK
+
+
+def test_conditions_that_students_write_take_a_small_part_of_the_budget():
+    own = [
+        "sin(q2) = 0",
+        "q3 + l3 = 0",
+        "cos(q1)^2 + sin(q2)^2 = 0",
+        "a1*cos(q2) + l3 = 2*q3",
+        "q3 = 7",
+        "q2 = 3*pi",
+    ]
+    with budget(MOST_WORK / 3):
+        judged(("sin(q2)", "q3 + l3"), *own)
+
+
+def test_a_budget_that_is_spent_is_said_on_the_part_and_costs_no_other():
+    exercise, v = EXERCISES["rrt"], variant_of("rrt")
+    raws = right_raws(exercise, v) | {"rrt_singular": Raw("text", LABORIOUS["products"])}
+    verdicts = {verdict.part: verdict for verdict in mark(exercise, v, raws)}
+    spent = verdicts.pop("rrt_singular")
+    assert (spent.status, spent.points) == ("failed", 0)
+    assert spent.findings[0].text.startswith("Cannot be read in reasonable time")
+    assert {verdict.status for verdict in verdicts.values()} == {"correct"}

@@ -1,8 +1,17 @@
 """course.toml and roster.csv: what can be read is read, and what cannot is named with its place."""
 
+import re
+
 import pytest
 from courses import make_course
-from kinegrade.course.config import CourseError, read_course, read_roster, read_settings
+from kinegrade.course.config import (
+    CourseError,
+    LimitsTable,
+    MarkingTable,
+    read_course,
+    read_roster,
+    read_settings,
+)
 
 GOOD = 'title = "T"\nsecret = "0123456789abcdef"\n[[sheet]]\nname = "one"\nexercises = ["rrt"]\n'
 
@@ -46,10 +55,13 @@ def roster(tmp_path, text):
             GOOD + 'mode = "test"\n',
             ["sheet.1.mode", "'practice', 'graded' or 'exam'", "got 'test'"],
         ),
-        (GOOD + "[limits]\ncell_seconds = 0\n", ["limits.cell_seconds", "greater than 0", "got 0"]),
+        (
+            GOOD + "[limits]\ncell_seconds = 0\n",
+            ["limits.cell_seconds takes a number above 0 and up to 600", "got 0"],
+        ),
         (
             GOOD + '[limits]\nmemory_mb = "much"\n',
-            ["limits.memory_mb", "valid integer", "got 'much'"],
+            ["limits.memory_mb takes a whole number from 256 to 65536", "got 'much'"],
         ),
         (GOOD.replace('["rrt"]', "[]"), ["sheet.1.exercises", "at least 1 item"]),
         (GOOD.replace('"one"', '"../one"'), ["sheet.1.name", "got '../one'"]),
@@ -120,6 +132,9 @@ def test_sheets_are_found_by_name_and_a_wrong_name_gets_the_nearest(tmp_path):
         " student , name \n ada , Ada Lovelace \nben,Ben,,\n",
         'name,group,student\n"Ada\nLovelace",1,ada\nBen,2,ben\n',
         "student,name\rada,Ada Lovelace\rben,Ben\r",
+        "student;name\r\nada;Ada Lovelace\r\nben;Ben\r\n",
+        "Student\tName\nada\tAda Lovelace\nben\tBen\n",
+        "\ufeff\nSTUDENT;Name;Section\nada;Ada Lovelace;1\nben;Ben\n",
     ],
 )
 def test_a_roster_is_read_however_a_spreadsheet_wrote_it(tmp_path, text):
@@ -132,6 +147,45 @@ def test_a_roster_is_read_however_a_spreadsheet_wrote_it(tmp_path, text):
 def test_a_name_may_be_missing_or_hold_anything(tmp_path):
     read = roster(tmp_path, 'student,name\nada\nben,"Bot, ""Ben"" <b>"\ncyd,Çağ\u2028rı\n')
     assert [student.name for student in read] == ["ada", 'Bot, "Ben" <b>', "Çağ rı"]
+
+
+@pytest.mark.parametrize("control", ["\0", "\x1b", "\u202e", "\u2066", "\x07", "\u200f"])
+def test_a_name_keeps_no_control_character(tmp_path, control):
+    (student,) = roster(tmp_path, f"student,name\nada,Ada{control}L\n")
+    assert student.name == "Ada\N{REPLACEMENT CHARACTER}L"
+
+
+def test_letters_that_are_joined_or_kept_apart_stay_so(tmp_path):
+    (student,) = roster(tmp_path, "student,name\nada,می\u200cخواهم\n")
+    assert student.name == "می\u200cخواهم"
+
+
+LIMITS = {
+    "limits.cell_seconds": ["-1", "600.5", "inf", "nan", "true", '"5"', "1e400"],
+    "limits.notebook_seconds": ["0", "3601", "-inf"],
+    "limits.memory_mb": ["255", "65537", "1e3", "999999999999999999999"],
+    "marking.slip": ["-0.1", "1.1", "nan", '"1"', "false"],
+    "marking.presentation": ["2"],
+    "marking.concept": ["-inf"],
+}
+
+
+@pytest.mark.parametrize(
+    ("key", "value"), [(key, value) for key, values in LIMITS.items() for value in values]
+)
+def test_every_number_of_a_course_file_has_a_range_that_is_told(tmp_path, key, value):
+    table, name = key.split(".")
+    with pytest.raises(CourseError) as error:
+        settings(tmp_path, f"{GOOD}[{table}]\n{name} = {value}\n")
+    words = r" takes a (whole )?number (from [\d.]+ to|above 0 and up to) \d+, got "
+    assert re.search(re.escape(key) + words, str(error.value))
+
+
+def test_every_number_of_a_course_file_is_among_those_that_are_tried():
+    numbers = set()
+    for table, model in (("limits", LimitsTable), ("marking", MarkingTable)):
+        numbers |= {f"{table}.{name}" for name in model.model_fields}
+    assert numbers == set(LIMITS)
 
 
 @pytest.mark.parametrize(
@@ -163,9 +217,16 @@ def test_a_student_twice_is_refused_with_both_lines(tmp_path, twin):
     ("text", "words"),
     [
         ("student\nada\n", "the column 'name' is missing; the first line has: student"),
+        ("student,name,Student\nada,Ada,x\n", "the column 'student' is there twice"),
+        ('student,name\nada,"Ada\nben,Ben\n', "line 2: a quotation mark is left open"),
+        ('student,name\nada,"Ada\nben,"Ben"\n', "line 2: a quotation mark is left open"),
         (
-            "student;name\nada;Ada\n",
-            "the column 'student' is missing; the first line has: student;name",
+            'student,name\nada,"Ada" L\n',
+            "line 2: a quotation mark is left open, or has text behind",
+        ),
+        (
+            'student,name\nada,"Ada\nben,"\ncyd,Cyd\n',
+            "line 2: a cell goes on to line 3 and holds what looks like the next student",
         ),
         ("ada,Ada\n", "the column 'student' is missing; the first line has: ada, Ada"),
         ("", "the column 'student' is missing; the first line has: nothing"),
@@ -175,7 +236,9 @@ def test_a_student_twice_is_refused_with_both_lines(tmp_path, twin):
             "not a CSV file: field larger than field limit",
         ),
         ("student,name\nada,Adè\n".encode("latin-1"), "cannot be read as UTF-8 text"),
-        ("student,name\nada,Ada\n".encode("utf-16"), "cannot be read as UTF-8 text"),
+        ("student,name\nada,Ada\n".encode("utf-16"), "the file is UTF-16 text"),
+        ("student,name\nada,Ada\n".encode("utf-16-le"), "the file is UTF-16 text"),
+        (b"PK\x03\x04" + bytes(40), "the file is a zip archive (an Excel workbook is one, too)"),
     ],
 )
 def test_a_roster_that_cannot_be_meant_is_refused_with_what_and_where(tmp_path, text, words):

@@ -89,7 +89,7 @@ def test_the_demonstration_marks_a_class_of_twelve_and_twice_the_same(tmp_path, 
 
     with sqlite3.connect(folder / "gradebook.sqlite") as connection:
         connection.executescript(
-            "DELETE FROM grade WHERE sheet = 'jacobian'; DELETE FROM current WHERE sheet = 'jacobian';"
+            "DELETE FROM grade WHERE sheet = 'jacobian'; DELETE FROM counted WHERE sheet = 'jacobian';"
         )
     connection.close()
     files = files_of(folder)

@@ -5,10 +5,12 @@ from typing import Any, Literal
 import numpy as np
 import pytest
 from kinegrade.solutions.chain import Array, Chain, ChainError
-from kinegrade.solutions.derivatives import hessian, jacobian_dot
-from kinegrade.solutions.jacobian import jacobian
+from kinegrade.solutions.derivatives import hessian, jacobian_dot, manipulability_gradient
+from kinegrade.solutions.jacobian import in_axes, jacobian
 from kinegrade.solutions.kinematics import forward
 from kinegrade.solutions.robots import ROBOTS
+from kinegrade.solutions.rotation import vector_rotation
+from kinegrade.solutions.singularity import manipulability
 from test_golden import GOLDEN, chain_of, column
 
 Frame = Literal["base", "tool"]
@@ -110,7 +112,7 @@ def test_configurations_and_rates_broadcast(frame: Frame):
     assert jacobian_dot(PUMA, qdot, q, frame).shape == (4, 6, 6)
 
 
-@pytest.mark.parametrize("frame", ["world", np.eye(3)])
+@pytest.mark.parametrize("frame", ["world", "Base"])
 def test_other_frames_are_refused_with_a_sentence(frame: Any):
     for call in (
         lambda: hessian(PUMA, np.zeros(6), frame),
@@ -125,3 +127,57 @@ def test_rates_that_do_not_fit_are_refused_with_a_sentence():
         jacobian_dot(PUMA, np.zeros(6), np.zeros(5))
     with pytest.raises(ChainError, match=r"qdot takes as many rows as q, \(2,\), got \(3,\)"):
         jacobian_dot(PUMA, np.zeros((2, 6)), np.zeros((3, 6)))
+
+
+@robots
+def test_derivatives_for_another_point_of_the_tool_agree_with_finite_differences(name: str):
+    chain, q, qdot = some(name)
+    tool = np.array([0.2, -0.1, 0.3])
+
+    def there(x: Array) -> Array:
+        T = forward(chain, x)
+        return T[..., :3, 3] + T[..., :3, :3] @ tool
+
+    for k in range(chain.n):
+        step = 1e-6 * np.eye(chain.n)[k]
+        sides = [jacobian(chain, q + s * step, point=there(q + s * step)) for s in (1, -1)]
+        expected = (sides[0] - sides[1]) / 2e-6
+        found = hessian(chain, q, point=there(q))[..., k]
+        np.testing.assert_allclose(found, expected, rtol=0, atol=1e-8)
+    H = hessian(chain, q, point=there(q))
+    product = (H @ qdot[:, None, :, None])[..., 0]
+    np.testing.assert_allclose(
+        jacobian_dot(chain, q, qdot, point=there(q)), product, rtol=0, atol=1e-12
+    )
+
+
+@robots
+def test_derivatives_in_axes_that_stand_still_are_turned_columns(name: str):
+    chain, q, qdot = some(name)
+    R = vector_rotation([0.3, -0.5, 0.7])
+    H, turned = hessian(chain, q), hessian(chain, q, R)
+    for k in range(chain.n):
+        np.testing.assert_allclose(turned[..., k], in_axes(H[..., k], R), rtol=0, atol=1e-12)
+    rates = in_axes(jacobian_dot(chain, q, qdot), R)
+    np.testing.assert_allclose(jacobian_dot(chain, q, qdot, R), rates, rtol=0, atol=1e-12)
+
+
+def test_the_origin_is_no_point_that_moves_with_the_tool():
+    with pytest.raises(ChainError, match=r"point takes coordinates .* of a point of the tool"):
+        hessian(PUMA, np.zeros(6), point="origin")
+
+
+@robots
+def test_the_gradient_of_manipulability_agrees_with_finite_differences(name: str):
+    chain, q, _ = some(name)
+    rows = ROBOTS[name].task_rows
+    gradient = manipulability_gradient(chain, q, rows)
+    for k in range(chain.n):
+        step = 1e-6 * np.eye(chain.n)[k]
+        sides = [manipulability(jacobian(chain, q + s * step)[..., rows, :]) for s in (1, -1)]
+        np.testing.assert_allclose(gradient[..., k], (sides[0] - sides[1]) / 2e-6, atol=1e-6)
+
+
+def test_the_gradient_of_more_rows_than_joints_is_refused():
+    with pytest.raises(ChainError, match="rows takes up to 2 rows, one for each joint, got 6"):
+        manipulability_gradient(ROBOTS["planar_2r"].chain(), [0.1, 0.2])

@@ -50,7 +50,7 @@ def test_the_exercise_of_the_docs_is_short():
     assert len(blocks(ROOT / "docs" / "add_an_exercise.md", "python")[0].splitlines()) <= 25
 
 
-def test_the_exercise_of_the_docs_is_validated_released_solved_and_marked(tmp_path):
+def test_the_exercise_of_the_docs_is_validated_released_solved_and_marked(tmp_path, jail):
     page = ROOT / "docs" / "add_an_exercise.md"
     write_course(tmp_path)
     (tmp_path / "exercises").mkdir()
@@ -78,7 +78,7 @@ def test_the_exercise_of_the_docs_is_validated_released_solved_and_marked(tmp_pa
             submitted = tmp_path / "submitted" / released.student / "extra.ipynb"
             submitted.parent.mkdir(parents=True)
             submitted.write_bytes(fill_in(released.path.read_bytes(), code))
-        results = SheetMarker(course, gradebook, sheet).results()
+        results = SheetMarker(course, gradebook, sheet, jail=jail).results()
     assert [result.points for result in results] == [3, 2.5]
 
 

@@ -302,3 +302,42 @@ def test_a_folded_turn_is_the_same_turn(amounts: tuple[float, float, float], abo
     assert np.count_nonzero(D[:3, :3]) <= np.count_nonzero(C[:3, :3])
     if not C[:2, 2].any():
         assert before == behind == 0.0
+
+
+@chains
+def test_no_result_has_a_negative_zero_where_joints_stand_at_zero(name: str):
+    """A student would see -0. where the sheet has 0."""
+    chain = CHAINS[name]
+    one = np.eye(chain.n)
+    for q in (np.zeros(chain.n), *one, *-one, np.tile(-one, (2 * FEW, 1))):
+        for values in (*(jacobian(chain, q, frame) for frame in FRAMES), forward(chain, q)):
+            assert not np.signbit(values[values == 0]).any()
+        values = frames(chain, q)
+        assert not np.signbit(values[values == 0]).any()
+
+
+@pytest.mark.parametrize("size", [1e3, 1e6, 1e12, 1e300])
+def test_large_angles_lose_nothing_where_their_sum_is_rounded(size: float):
+    """The same arm at the same angles brought within a turn, each as exactly as floats allow."""
+    chain = ROBOTS["puma560"].chain()
+    q = np.random.default_rng(8).uniform(-size, size, (2 * FEW, 6))
+    within = np.arctan2(np.sin(q), np.cos(q))
+    for frame in FRAMES:
+        expected = jacobian(chain, within, frame)
+        np.testing.assert_allclose(jacobian(chain, q, frame), expected, rtol=0, atol=2e-15)
+        for row, J in zip(q, expected, strict=True):
+            np.testing.assert_allclose(jacobian(chain, row, frame), J, rtol=0, atol=2e-15)
+
+
+def test_angles_whose_sum_is_no_float_have_a_jacobian():
+    chain = ROBOTS["planar_2r"].chain()
+    one = jacobian(chain, [1e308] * 2)
+    many = jacobian(chain, np.full((2 * FEW, 2), 1e308))
+    assert np.isfinite(one).all()
+    np.testing.assert_allclose(many, np.broadcast_to(one, many.shape), rtol=0, atol=2e-15)
+
+
+def test_a_long_slide_is_no_large_angle():
+    chain = ROBOTS["rrt_offset"].chain()
+    near, far = forward(chain, [0.3, 0.2, 1.0]), forward(chain, [0.3, 0.2, 1001.0])
+    assert np.linalg.norm(far[:3, 3] - near[:3, 3]) == pytest.approx(1000.0, rel=1e-12)

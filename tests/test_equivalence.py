@@ -15,6 +15,7 @@ ARMS = {
     **{name: ROBOTS[name].chain() for name in ROBOTS},
     "RRR oblique": random_chain("RRR", np.random.default_rng(1)),
     "PRR oblique": random_chain("PRR", np.random.default_rng(2)),
+    "PRR nearly square": random_chain("PRR", np.random.default_rng(1)),
     "RPRP oblique": random_chain("RPRP", np.random.default_rng(3)),
     "PPP": random_chain("PPP", np.random.default_rng(4)),
 }

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from answers import EXERCISES, raws, variant_of
+from kinegrade.exercises.calculations.columns import tool_axes
 from kinegrade.exercises.catalogue.inverse_velocities import draw
 from kinegrade.exercises.exercise import references
 from kinegrade.grader.marking.mark import mark
@@ -155,7 +156,8 @@ def test_elbow_angles_are_counted_and_slips_named(answer, points, words):
 def test_ranks_follow_from_a_jacobian_in_the_tool_frame():
     v = draw(np.random.default_rng(0))
     exercise = EXERCISE
-    own = {"inverse_velocities_J": exercise.parts[0].mistakes[0].solve(v, {})}
+    arm = exercise.arm(v)
+    own = {"inverse_velocities_J": tool_axes(arm.frames, arm.kinds)}
     ranks = exercise.parts[1].solve(v, own)
     found = {
         x.part: x

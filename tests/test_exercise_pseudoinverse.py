@@ -141,4 +141,4 @@ def test_the_identity_that_j_has_is_told_once(seed):
 
 def test_the_posture_is_not_printed():
     assert set(EXERCISE.units) == {"J", "xi", "k"}
-    assert set(EXERCISE.structure) == {"q", "columns"}
+    assert (EXERCISE.structure, EXERCISE.hidden) == (("columns",), ("q",))

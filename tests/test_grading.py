@@ -26,6 +26,7 @@ from kinegrade.course import grading
 from kinegrade.course.config import CourseError, read_course
 from kinegrade.course.gradebook import Gradebook
 from kinegrade.course.grading import SheetMarker, recorded_results
+from kinegrade.course.tables import remark
 
 KILLED = """
 import os, signal, sys
@@ -35,13 +36,13 @@ from test_grading import graded
 left = [int(sys.argv[2])]
 @event.listens_for(Engine, "before_cursor_execute")
 def count(connection, cursor, statement, *rest):
-    if statement.startswith(("INSERT INTO grade", "INSERT INTO current")):
+    if statement.startswith(("INSERT INTO grade", "INSERT INTO counted")):
         if left[0] == 0:
             os.kill(os.getpid(), signal.SIGKILL)  # between the two, the transaction is half done
         left[0] -= 1
 graded(Path(sys.argv[1]))
 """
-COUNTS = ("SELECT count(*) FROM grade", "SELECT count(*) FROM current")
+COUNTS = ("SELECT count(*) FROM grade", "SELECT count(*) FROM counted")
 
 
 def graded(folder, *, accept_change=False):
@@ -225,7 +226,7 @@ def test_two_runs_give_the_same_results(folder):
     put(folder, "ada", {"lever_p": [9.0, 9.0]})
     first = graded(folder)
     with sqlite3.connect(folder / "gradebook.sqlite") as connection:
-        connection.executescript("DELETE FROM grade; DELETE FROM current;")
+        connection.executescript("DELETE FROM counted; DELETE FROM grade;")
     connection.close()
     assert graded(folder) == first
 
@@ -308,6 +309,9 @@ def test_parts_whose_reference_moved_wait_until_the_change_is_accepted(folder):
     assert statuses(accepted)[1] in ("partly", "incorrect")
     assert graded(folder)["ada"] == accepted
     assert before["ada"].points == 5
+    with Gradebook(folder / "gradebook.sqlite") as gradebook:
+        told = {event.what: event.reason for event in gradebook.history("ada", "one")}
+    assert told["other reference answers of lever accepted"] == "grade --accept-change"
 
 
 def test_parts_wait_that_moved_though_no_exercise_was_edited(folder, monkeypatch):
@@ -531,3 +535,12 @@ def test_a_lost_gradebook_is_not_taken_for_an_empty_one(folder):
     (folder / "gradebook.sqlite").unlink()
     with pytest.raises(CourseError, match="knows nothing of sheet"):
         graded(folder)
+
+
+def test_other_versions_of_a_file_are_named_and_files_of_other_sheets_are_not(folder):
+    for name in ("one (2).ipynb", "One-final.json", "one.csv", "two.json", "notes.txt"):
+        put(folder, "ada", b"{}", name)
+    found = graded(folder)
+    assert found["ada"].passed_over == ("One-final.json", "one (2).ipynb", "one.csv")
+    assert found["ben"].passed_over == ()
+    assert remark(found["ada"]).startswith("also there, and not marked: One-final.json")

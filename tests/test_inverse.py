@@ -1,15 +1,18 @@
 """Differential inverse kinematics: it converges where it can, and says honestly where it cannot."""
 
 import math
+from dataclasses import replace
 from itertools import pairwise
 from typing import Any
 
 import numpy as np
 import pytest
 from kinegrade.solutions.chain import Array, Chain, ChainError, elementary, from_standard
+from kinegrade.solutions.descent import Problem
 from kinegrade.solutions.inverse import REASONS, Solution, displacement, inverse_kinematics
 from kinegrade.solutions.jacobian import jacobian
 from kinegrade.solutions.kinematics import forward
+from kinegrade.solutions.many_starts import within
 from kinegrade.solutions.robots import ROBOTS
 from kinegrade.solutions.rotation import vector_rotation
 from kinegrade.solutions.velocity import pseudoinverse
@@ -303,6 +306,7 @@ MIRROR = np.diag([1.0, 1.0, -1.0, 1.0])
         ({"longest_step": math.nan}, "longest_step takes a finite number above 0, got nan"),
         ({"longest_step": "short"}, "longest_step takes a finite number above 0, got 'short'"),
         ({"iterations": -1}, "iterations takes a whole number from 0, got -1"),
+        ({"starts": 0}, "starts takes a whole number from 1, got 0"),
         ({"iterations": 2.5}, "iterations takes a whole number from 0, got 2.5"),
     ],
 )
@@ -340,3 +344,71 @@ def test_displacements_of_what_are_no_transforms_are_refused_with_a_sentence(
 ):
     with pytest.raises(ChainError, match=sentence):
         displacement(reached, desired)
+
+
+@pytest.mark.parametrize("name", ROBOTS)
+def test_from_many_starts_every_pose_within_the_limits_is_met(name: str):
+    """UR5, Panda and Puma from one random start: fewer than half."""
+    robot = ROBOTS[name]
+    chain, limits = robot.chain(), np.array(robot.limits)
+    low, high = limits.T
+    rng = np.random.default_rng(7)
+    for _ in range(40 if name in ("ur5", "panda", "puma560") else 6):
+        target = forward(chain, rng.uniform(low, high))
+        start = rng.uniform(low, high)
+        found = inverse_kinematics(chain, target, start, limits=limits, starts=100)
+        assert found.converged, str(found)
+        assert ((found.q >= low) & (found.q <= high)).all()
+        np.testing.assert_allclose(forward(chain, found.q), target, atol=1e-7)
+
+
+def test_the_first_of_many_starts_is_the_given_one():
+    robot = ROBOTS["puma560"]
+    q = np.array([0.3, -0.4, 0.5, 0.6, 0.7, 0.8])
+    chain, limits = robot.chain(), robot.limits
+    found = inverse_kinematics(chain, forward(chain, q), q + 1e-3, limits=limits, starts=100)
+    np.testing.assert_allclose(found.q, q, atol=1e-6)
+
+
+def test_a_pose_out_of_reach_of_every_start_is_said_to_be_so():
+    chain = ROBOTS["planar_2r"].chain()
+    target = forward(chain, [0.0, 0.0])
+    target[0, 3] += 1.0
+    found = inverse_kinematics(chain, target, [0.4, 0.5], rows=[0, 1], starts=40)
+    assert not found.converged
+    assert found.position_error == pytest.approx(1.0, abs=1e-6)
+
+
+def test_a_joint_that_passes_its_limit_goes_on_a_full_turn_away():
+    chain = ROBOTS["ur5"].chain()
+    limits = np.array([[-2 * np.pi, 2 * np.pi]] * 6)
+    problem = Problem(chain, np.eye(4), np.arange(6), limits[:, 0], limits[:, 1], 1.0, 1e-9, 1e-9)
+    q = np.array([[6.5, -6.5, 0.0, 3.0, -3.0, 6.0]])
+    expected = [[6.5 - 2 * np.pi, 2 * np.pi - 6.5, 0.0, 3.0, -3.0, 6.0]]
+    np.testing.assert_allclose(within(problem, q), expected)
+    narrow = replace(problem, low=np.full(6, -1.0), high=np.full(6, 1.0))
+    np.testing.assert_allclose(
+        within(narrow, q), [[6.5 - 2 * np.pi, 2 * np.pi - 6.5, 0.0, 1.0, -1.0, 6 - 2 * np.pi]]
+    )
+
+
+def test_an_arm_of_seven_joints_with_offsets_and_a_tool_meets_a_pose_that_one_start_misses():
+    """Baxter's left arm, with lengths as its maker gives them; from zeros it ends beside it."""
+    rows = [
+        [0, 0.2703, 0.069, -np.pi / 2],
+        [np.pi / 2, 0, 0, np.pi / 2],
+        [0, 0.3644, 0.069, -np.pi / 2],
+        [0, 0, 0, np.pi / 2],
+        [0, 0.3743, 0.01, -np.pi / 2],
+        [0, 0, 0, np.pi / 2],
+        [0, 0.2295, 0, 0],
+    ]
+    degrees = [(-97.5, 97.5), (-123, 60), (-175, 175), (-2.8, 150), (-175.3, 175.3), (-90, 120), (-175.3, 175.3)]  # fmt: skip
+    tool = np.eye(4)
+    tool[1, 3] = 0.18
+    chain = from_standard(rows, "RRRRRRR", tool=tool)
+    target = np.eye(4)
+    target[:3, :3] = [[0, 0, 1], [1, 0, 0], [0, 1, 0]]
+    target[:3, 3] = 0.1, 0.5, -0.1
+    found = inverse_kinematics(chain, target, np.zeros(7), limits=np.radians(degrees), starts=100)
+    assert found.converged, str(found)

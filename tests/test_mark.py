@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from answers import EXERCISES, part_of, raw, raws, raws_of, right_raws, telling, variant_of, wrong
 from courses import exercise_of
+from kinegrade.exercises.calculations.columns import tool_axes
 from kinegrade.exercises.exercise import Manual, Mistake, Part, TableOf, references
 from kinegrade.grader.collecting.wire import Raw
 from kinegrade.grader.kinds.markers import read
@@ -368,11 +369,16 @@ def test_a_function_as_it_was_handed_out_is_not_answered():
     )
 
 
+def in_tool_axes(exercise, v):
+    arm = exercise.arm(v)
+    return tool_axes(arm.frames, arm.kinds)
+
+
 def test_rates_follow_from_a_jacobian_in_the_tool_frame():
     exercise, v = EXERCISES["puma_velocities"], variant_of("puma_velocities")
     J = part_of(exercise, "puma_velocities_J")
     later = [part_of(exercise, name) for name in ("puma_velocities_twist", "puma_velocities_qdot")]
-    own = {J.variable: J.mistakes[0].solve(v, {})}
+    own = {J.variable: in_tool_axes(exercise, v)}
     own |= {part.variable: part.solve(v, own) for part in later}
     points = {verdict.part: verdict.points for verdict in mark(exercise, v, raws(own))}
     assert [points[name] for name in own] == [J.points / 2, *(part.points for part in later)]

@@ -18,7 +18,10 @@ def test_a_new_course_is_read_as_it_was_written(tmp_path):
     course = read_course(tmp_path / "deep" / "course")
     assert [sheet.name for sheet in course.settings.sheet] == ["jacobian"]
     assert [student.id for student in course.students] == ["student01", "student02"]
-    assert (course.settings.limits.cell_seconds, course.settings.limits.notebook_seconds) == (5, 60)
+    assert (course.settings.limits.cell_seconds, course.settings.limits.notebook_seconds) == (
+        30,
+        180,
+    )
     assert sorted(written) == sorted((tmp_path / "deep" / "course").iterdir())
 
 

@@ -180,6 +180,7 @@ def test_what_a_check_needs_stands_in_the_metadata(tmp_path):
         "student": "ada",
         "mode": "graded",
         "exercises": ["lever"],
+        "limits": {"cell_seconds": 30.0, "notebook_seconds": 180.0, "memory_mb": 2048},
         "numbers": {"lever": {"L": 0.75, "q": [0.3]}},
     }
 

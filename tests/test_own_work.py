@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from answers import EXERCISES, part_of, raws_of, right_raws, variant_of
+from kinegrade.exercises.answers import Choice, Conditions, Configurations, Numbers
 from kinegrade.exercises.exercise import Manual, references
 from kinegrade.grader.collecting.wire import Raw
 from kinegrade.grader.marking.mark import mark
@@ -24,9 +25,49 @@ def test_a_right_sheet_fits_itself(exercise):
 
 
 def test_a_jacobian_that_does_not_follow_from_the_own_transforms_is_told():
-    found = told("rrt", {"rrt_J": np.ones((6, 3))})
+    found = told("rrt", {"rrt_J": np.full((6, 3), 0.5)})
     assert not found["rrt_J"].ok
     assert "does not follow from your own rrt_dh and rrt_T" in found["rrt_J"].text
+
+
+GUESSED = {
+    "inverse_velocities": ("ranks", "solutions", "lost", "elbow"),
+    "find_the_mistake": ("name", "J"),
+    "frames": ("which",),
+    "rrt": ("singular",),
+    "pseudoinverse": ("sides", "null", "still"),
+    "small_rotations": ("factor",),
+    "statics": ("costless", "carried"),
+}
+
+
+@pytest.mark.parametrize(
+    ("slug", "name"), [(slug, name) for slug, names in GUESSED.items() for name in names]
+)
+def test_what_could_be_tried_out_until_it_fits_is_said_to_be_readable_and_no_more(slug, name):
+    exercise, v = EXERCISES[slug], variant_of(slug)
+    part = part_of(exercise, f"{slug}_{name}")
+    right = references(exercise, v)[part.variable]
+    wrong = WRONG[type(part.answer)](right)
+    for value in (right, wrong):
+        remark = told(slug, {part.variable: value})[part.variable]
+        assert (remark.ok, remark.text) == (True, "can be read")
+
+
+WRONG = {
+    Choice: lambda right: "b" if right == "a" else "a",
+    Numbers: lambda right: right + 1.0,
+    Configurations: lambda right: right + 0.5,
+    Conditions: lambda right: right[:1],
+}
+
+
+def test_no_letter_of_a_choice_is_told_from_another(exercise):
+    for part in exercise.asked:
+        if not isinstance(part.answer, Choice):
+            continue
+        said = {told(exercise.slug, {part.variable: x})[part.variable] for x in part.answer.letters}
+        assert len(said) == 1
 
 
 def test_a_wrong_but_consistent_sheet_is_not_given_away():

@@ -258,9 +258,8 @@ def test_names_findings_and_answers_are_escaped(course):
     page = Page(feedback(course, exercise, verdicts, Student("ada", NASTY)))
     assert "script" not in page.tags
     assert "img" not in page.tags
-    typed, said = NASTY.replace("\ud800", "?"), NASTY.replace("\ud800", "\N{REPLACEMENT CHARACTER}")
-    assert page.text.count(typed) == 2 + 12 + 1  # name, cells, reading
-    assert page.text.count(said) == 2  # findings
+    said = NASTY.replace("\ud800", "\N{REPLACEMENT CHARACTER}")
+    assert page.text.count(said) == 2 + 12 + 1 + 2  # name, cells, reading, findings
 
 
 def test_what_is_private_stands_in_the_report_and_not_in_the_feedback(course, monkeypatch):

@@ -5,7 +5,8 @@ import pytest
 from answers import EXERCISES, part_of, raws, variant_of
 from kinegrade.exercises.answers import TableOf
 from kinegrade.exercises.exercise import references
-from kinegrade.grader.kinds.same_arm import describes_same_arm, repairs
+from kinegrade.grader.kinds.repairs import repairs
+from kinegrade.grader.kinds.same_arm import describes_same_arm
 from kinegrade.grader.marking.mark import mark
 from kinegrade.solutions.table import read_table
 

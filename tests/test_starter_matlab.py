@@ -100,6 +100,14 @@ def test_every_kind_of_answer_has_its_blank(answer, line):
     assert text.endswith("save('one.mat', ...\n    'ex_0', ...\n    '-v7')\n")
 
 
+def test_what_is_declared_beside_an_answer_has_a_line_and_is_saved():
+    text = script(TableOf(("d1",), "RRP", "either"))
+    assert "\nex_0_convention = 'standard';  % or 'modified'\nex_0 = {};" in text
+    assert text.endswith(
+        "save('one.mat', ...\n    'ex_0_convention', ...\n    'ex_0', ...\n    '-v7')\n"
+    )
+
+
 def test_what_is_done_on_paper_is_not_saved():
     text = script(Manual(((2.0, "a line"),), on_paper=True), Numbers((2,)))
     assert "On paper" in text

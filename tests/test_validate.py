@@ -34,6 +34,11 @@ CHANGES = {
         Part("lever_p",""",
     ),
     "variants": ("rng.integers(200, 1300)", "rng.integers(200, 204) + 0 * rng.integers(3)"),
+    "guessing": (
+        'Part("lever_p",',
+        """Part("lever_c", "the same for all", 1, Numbers((), "m"), lambda v, _: 0.25),
+        Part("lever_p",""",
+    ),
 }
 
 

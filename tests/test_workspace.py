@@ -4,9 +4,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from kinegrade.grader.figures.maps import describe
+from kinegrade.solutions.kinematics import forward
+from kinegrade.solutions.reach import From, bounded_reach, reach
 from kinegrade.solutions.robots import ROBOTS
-from kinegrade.solutions.singularity import arm
-from kinegrade.solutions.workspace import LIMITS, SINGULAR, Curve, meridian, reach, section
+from kinegrade.solutions.singularity import RegionalArm, Values, arm
+from kinegrade.solutions.workspace import LIMITS, SINGULAR, Curve, meridian, section
 
 SPANNED_BY_MORE = (
     "planar_3r",
@@ -198,3 +201,82 @@ def test_the_unit_of_length_decides_nothing(name: str, scale: float) -> None:
         assert curve.name == twin.name
         np.testing.assert_allclose(curve.points / scale, twin.points, rtol=0, atol=1e-6)
         assert np.count_nonzero(curve.boundary != twin.boundary) <= 3
+
+
+@pytest.mark.parametrize("of", ["axis 1", "base"])
+@pytest.mark.parametrize("name", ROBOTS)
+def test_no_configuration_gets_past_the_reach(name: str, of: From) -> None:
+    """Random configurations, each climbed from by small steps within the limits."""
+    robot = ROBOTS[name]
+    part = arm(robot)
+    low, high = np.transpose(part.limits)
+    rng = np.random.default_rng(5)
+    near, far = reach(robot, of=of)
+    for sign in (1.0, -1.0):
+        q, step = rng.uniform(low, high, (400, part.chain.n)), 0.3
+        value = sign * _distances(part, q, of)
+        for _ in range(60):
+            tried = np.clip(q + step * rng.normal(size=q.shape) * (high - low), low, high)
+            there = sign * _distances(part, tried, of)
+            better = there > value
+            q, value = np.where(better[:, None], tried, q), np.maximum(there, value)
+            step *= 0.93
+        assert value.max() <= (far if sign > 0 else -near) + 1e-9
+
+
+def _distances(part: RegionalArm, q: Values, of: From) -> Values:
+    if of == "axis 1":
+        return meridian(part.chain, q)[..., 0]
+    return np.linalg.norm(forward(part.chain, q)[..., :3, 3], axis=-1)
+
+
+@pytest.mark.parametrize(
+    ("of", "q", "at_least"),
+    [
+        (
+            "base",
+            (0.057207, -0.255376, 0, -0.467002, 0, 2.956401, 0.635763),
+            1.280046,
+        ),
+        ("axis 1", None, 0.947046),
+    ],
+)
+def test_the_panda_gets_as_far_as_a_posture_that_was_found_elsewhere(
+    of: From, q: tuple[float, ...] | None, at_least: float
+) -> None:
+    _, far = reach(ROBOTS["panda"], of=of)
+    assert far >= at_least
+    if q is not None:
+        assert far >= _distances(arm(ROBOTS["panda"]), np.array(q), of) - 1e-9
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_the_reach_of_an_arm_with_other_lengths_is_not_too_small(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    robot = ROBOTS["panda"]
+    lengths = {name: value * rng.uniform(0.6, 1.4) for name, value in robot.parameters.items()}
+    _, far = reach(robot, lengths, of="base")
+    part = arm(robot, lengths)
+    low, high = np.transpose(part.limits)
+    q = rng.uniform(low, high, (20_000, part.chain.n))
+    q = q[np.argsort(_distances(part, q, "base"))[-50:]]
+    for _ in range(400):
+        tried = np.clip(q + 0.03 * rng.normal(size=q.shape), low, high)
+        better = _distances(part, tried, "base") > _distances(part, q, "base")
+        q = np.where(better[:, None], tried, q)
+    farthest = _distances(part, q, "base").max()
+    assert 0.99 * far <= farthest <= far + 1e-12
+
+
+@pytest.mark.parametrize("name", ["planar_2r", "rrt_offset", "puma560", "stanford", "three_axis"])
+def test_the_bound_holds_and_is_tight_where_few_joints_change_the_distance(name: str) -> None:
+    found = bounded_reach(ROBOTS[name])
+    assert (found.near, found.far) == reach(ROBOTS[name])
+    assert 0 <= found.error < 1e-3 * found.far
+
+
+def test_a_reach_that_is_not_proven_says_so() -> None:
+    found = bounded_reach(ROBOTS["panda"])
+    assert found.error > 0.005 * found.far
+    assert "as far as a search" in describe(ROBOTS["panda"])
+    assert "as far as a search" not in describe(ROBOTS["puma560"])

@@ -7,6 +7,8 @@ from typing import Any
 from ...exercises.exercise import Exercise, Function, Manual
 from ...grader.collecting.ask import Limits
 from ...grader.collecting.collect import cannot_run
+from ...grader.jail.jail import FOR_ONE, Jail
+from ...grader.jail.level import ANY
 from ...grader.marking.answer_key import AnswerKey
 from ...grader.marking.mark import mark
 from ..sheet.submissions import READERS, Submission
@@ -42,7 +44,8 @@ def unsolved(
     if cannot_run():
         return
     submission = Submission(Path("solution.ipynb"), solution)
-    raws = submission.raws(submission.asks(exercise, v), Limits())
+    with Jail(ANY, preload=FOR_ONE) as jail:  # the solution is ours, not a student's
+        raws = submission.raws(submission.asks(exercise, v), Limits(), jail)
     for part, verdict in zip(exercise.asked, mark(exercise, v, raws, key=key), strict=True):
         if part.variable in known or isinstance(part.answer, Manual):
             continue

@@ -5,8 +5,10 @@ import os
 import time
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
+from dataclasses import replace
 from multiprocessing import get_context
 from pathlib import Path
+from typing import TypeVar
 
 import numpy as np
 
@@ -16,10 +18,13 @@ from ..config import CourseError, read_settings
 from ..drawn import drawn, prove_drawn
 from ..variant import canonical
 from .draw import Failure, because, failures_of
-from .validation import KINDS, Looked, Validation, summary, together
+from .guessing import guess_failures
+from .validation import ENOUGH, KINDS, Looked, Validation, summary, together
 
 __all__ = ["KINDS", "Validation", "chosen", "summary", "validate", "validate_file"]
 
+T = TypeVar("T")
+R = TypeVar("R")
 TRIED = 4  # draws after which it is known how long the others take
 WORTH = 3.0  # seconds of work that is worth starting processes for
 CHUNK = 20  # draws that one process looks at in one go
@@ -77,6 +82,32 @@ def validate(
 
     `step` is called with the number of draws that have been looked at since it was called last.
     """
+    each = [*dict.fromkeys(paths)]
+    return _with_guesses(each, _validated(paths, draws, step))
+
+
+def _with_guesses(paths: Sequence[Path], validations: Sequence[Validation]) -> list[Validation]:
+    """With what guessing earns too much of, in files that are sound otherwise.
+
+    A few draws are looked at to see whether a file works at all; then this has time.
+    """
+    sound: list[Path] = []
+    for path, validation in zip(paths, validations, strict=True):
+        if validation.draws >= ENOUGH and not validation.failures:
+            sound.append(path)
+    looked: Iterable[list[Failure]] = map(guess_failures, sound)
+    if len(sound) > 1:
+        looked = _in_processes(guess_failures, sound)
+
+    found = dict(zip(sound, looked, strict=True))
+    completed: list[Validation] = []
+    for path, validation in zip(paths, validations, strict=True):
+        more = found.get(path, [])
+        completed.append(replace(validation, failures=(*validation.failures, *more)))
+    return completed
+
+
+def _validated(paths: Sequence[Path], draws: int, step: Callable[[int], None]) -> list[Validation]:
     if len(paths) == 1:
         return [_one(paths[0], draws, step)]
 
@@ -93,7 +124,8 @@ def validate(
 
 def validate_file(path: Path, draws: int) -> Validation:
     """The validation of one exercise file, in this process."""
-    return together([_look_at(path, range(draws))])
+    (validation,) = _with_guesses([path], [together([_look_at(path, range(draws))])])
+    return validation
 
 
 def _one(path: Path, draws: int, step: Callable[[int], None]) -> Validation:
@@ -139,11 +171,16 @@ def _chunks(path: Path, seeds: range, size: int) -> list[tuple[Path, range]]:
 
 
 def _side_by_side(chunks: Sequence[tuple[Path, range]]) -> Iterator[Looked]:
-    """What each chunk shows, in order, from as many processes as there are cores."""
-    workers = min(_cores(), len(chunks))
+    """What each chunk shows, in order."""
+    yield from _in_processes(_look_in, chunks)
+
+
+def _in_processes(look: Callable[[T], R], things: Sequence[T]) -> Iterator[R]:
+    """What comes of each, in order, from as many processes as there are cores."""
+    workers = min(_cores(), len(things))
     spawn = get_context("spawn")  # typst does not survive a fork
     with ProcessPoolExecutor(workers, mp_context=spawn) as pool:
-        yield from pool.map(_look_in, chunks)
+        yield from pool.map(look, things)
 
 
 def _look_in(chunk: tuple[Path, range]) -> Looked:

@@ -15,6 +15,7 @@ KINDS = (
     "render",
     "solution",
     "variants",
+    "guessing",
 )
 ENOUGH = 10  # draws in which everything that some variants have should be seen
 MOST_ALIKE = 0.05  # share of draws that may repeat an earlier one

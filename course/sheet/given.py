@@ -10,10 +10,11 @@ from ..formulas import given_number
 
 
 def printed(exercise: Exercise, v: dict[str, Any]) -> dict[str, Any]:
-    """The drawn numbers without those that stay with the instructor."""
-    shown = dict(v)
-    for name in exercise.hidden:
-        shown.pop(name, None)
+    """What the sheet prints of the drawn numbers: those with a unit, and the choices of form."""
+    shown: dict[str, Any] = {}
+    for name in (*exercise.units, *exercise.structure):
+        if name in v:
+            shown[name] = v[name]
     return shown
 
 
@@ -79,6 +80,14 @@ def given_formulas(exercise: Exercise, v: dict[str, Any]) -> tuple[list[str], li
         else:
             inline.append(latex)
     return inline, displayed
+
+
+def given_form(exercise: Exercise, v: dict[str, Any]) -> str:
+    """Markdown of the choices of form, in one line; empty where an exercise has none."""
+    chosen = [f"`{name} = {v[name]!r}`" for name in exercise.structure if name in v]
+    if not chosen:
+        return ""
+    return f"*The form in which you have this exercise: {', '.join(chosen)}.*"
 
 
 def _symbol(name: str, value: Any) -> str:

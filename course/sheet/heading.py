@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from ...exercises.exercise import Rows
-from ..config import Sheet, Student
+from ..config import LimitsTable, Sheet, Student
 from ..escape import no_markup
 from ..words import points_text
 from .assignment import Assignment
@@ -23,14 +23,26 @@ SOLVED = (
     "Every part with its question, the way to its answer, and the answer with your numbers. Run "
     "from top to bottom, the cells leave all answers in their variables."
 )
+TIME = (
+    "When it is marked, a cell may compute for {cell:g} s, and all cells together may take "
+    "{notebook:g} s."
+)
 ROUNDING = "Round only what you hand in, and compute on with all digits."
 
 
-def heading(course: str, sheet: Sheet, student: Student, assignments: Sequence[Assignment]) -> str:
+def heading(
+    course: str,
+    sheet: Sheet,
+    student: Student,
+    assignments: Sequence[Assignment],
+    limits: LimitsTable,
+) -> str:
     """Markdown of a sheet's title, its student, its points, and what holds for all exercises."""
     title = f"# {sheet.title or sheet.name}"
     rules = f"{conventions(assignments)} {ROUNDING}"
-    return "\n\n".join([title, _about(course, sheet, student, assignments), HANDING_IN, rules])
+    time = TIME.format(cell=limits.cell_seconds, notebook=limits.notebook_seconds)
+    about = _about(course, sheet, student, assignments)
+    return "\n\n".join([title, about, f"{HANDING_IN} {time}", rules])
 
 
 def solution_heading(

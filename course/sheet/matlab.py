@@ -127,6 +127,9 @@ def _blank(part: Part, exercise: Exercise, v: dict[str, Any]) -> Iterator[str]:
     if isinstance(answer, Choice):
         yield from _options(answer)
 
+    for name, (first, *others) in answer.declared_beside.items():
+        alternatives = ", ".join(map(literal, others))
+        yield f"{part.beside[name]} = {literal(first)};  % or {alternatives}"
     value, form = answer.matlab(STACKED[exercise.rows])
     comment = _one_line(form.replace("NAME", part.variable))
     yield f"{part.variable} = {value};  % {comment}"
@@ -164,7 +167,9 @@ def _call(arguments: Sequence[Any]) -> str:
 
 def _saving(sheet: Sheet, parts: Sequence[Part]) -> Iterator[str]:
     yield f"%% Saving {sheet.name}.mat, the file to hand in"
-    names = [f"'{part.variable}'" for part in parts]
+    names: list[str] = []
+    for part in parts:
+        names += [f"'{name}'" for name in (*part.beside.values(), part.variable)]
     yield ", ...\n    ".join([f"save('{sheet.name}.mat'", *names, "'-v7')"])
 
 

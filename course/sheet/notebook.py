@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from ...exercises.exercise import Exercise, Manual
-from ..config import Sheet, Student
+from ..config import LimitsTable, PackagesTable, Sheet, Student
 from .assignment import Assignment
 from .given import given_cell, printed
 from .heading import heading, row_orders, solution_heading
@@ -22,28 +22,41 @@ SELF_CHECK = (
 
 
 def notebooks(
-    course: str, sheet: Sheet, student: Student, assignments: Sequence[Assignment]
+    course: str,
+    sheet: Sheet,
+    student: Student,
+    assignments: Sequence[Assignment],
+    limits: LimitsTable | None = None,
+    packages: PackagesTable | None = None,
 ) -> tuple[bytes, bytes]:
     """What the student gets, and the worked solution, as the bytes of two notebooks.
+
+    Limits and packages travel with the sheet, so that a check uses what marking uses.
 
     Raises:
         ExerciseError: an exercise fails on the student's numbers, or explains a part by no steps.
     """
     return (
-        handout_notebook(course, sheet, student, assignments),
+        handout_notebook(course, sheet, student, assignments, limits, packages),
         solution_notebook(course, sheet, student, assignments),
     )
 
 
 def handout_notebook(
-    course: str, sheet: Sheet, student: Student, assignments: Sequence[Assignment]
+    course: str,
+    sheet: Sheet,
+    student: Student,
+    assignments: Sequence[Assignment],
+    limits: LimitsTable | None = None,
+    packages: PackagesTable | None = None,
 ) -> bytes:
     """What the student gets: every question with its numbers and blanks, then the self-check.
 
     Raises:
         ExerciseError: an exercise fails on the student's numbers.
     """
-    title = heading(course, sheet, student, assignments)
+    limits = limits or LimitsTable()
+    title = heading(course, sheet, student, assignments, limits)
     cells = [markdown_cell(title), code_cell(IMPORTS)]
     for one, question in zip(assignments, _questions(assignments), strict=True):
         cells += [markdown_cell(question), code_cell(given_cell(one.exercise, one.v))]
@@ -58,6 +71,9 @@ def handout_notebook(
     # a notebook's keys are sorted when it is written
     order = [one.exercise.slug for one in assignments]
     about = _about(sheet, student) | {"exercises": order, "numbers": numbers}
+    about["limits"] = limits.model_dump()
+    if packages and packages.allow:
+        about["packages"] = packages.model_dump(mode="json")
     return notebook_file(cells, {KEY: about}, f"{sheet.name}/{student.id}")
 
 

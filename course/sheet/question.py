@@ -7,7 +7,7 @@ from ...exercises.exercise import Choice, Part
 from ...grader.figures.raster import data_uri
 from ..words import points_text
 from .assignment import WIDTH, Assignment, Figure
-from .given import given_numbers
+from .given import given_form, given_numbers
 from .heading import STACKED
 
 
@@ -27,6 +27,9 @@ def question_text(number: int, one: Assignment, *, order: bool = False) -> str:
     if statement:
         blocks.append(statement)
     blocks += given_numbers(exercise, one.v)
+    form = given_form(exercise, one.v)
+    if form:
+        blocks.append(form)
     if one.figures:
         blocks.append(figures_text(one.figures))
     return "\n\n".join(blocks)

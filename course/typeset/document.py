@@ -10,7 +10,7 @@ from ...exercises.kinds.paper import Paper
 from ..config import Sheet, Student
 from ..escape import printable
 from ..sheet.assignment import Assignment, Figure
-from ..sheet.given import given_formulas
+from ..sheet.given import given_form, given_formulas
 from ..sheet.heading import ROUNDING, STACKED, conventions, row_orders
 from ..sheet.question import asked
 from ..words import points_text
@@ -138,6 +138,7 @@ def _exercise(number: int, one: Assignment, *, order: bool) -> Data:
             "numbers": {
                 "inline": [*map(_formula, inline)],
                 "displayed": [*map(_formula, displayed)],
+                "form": line(given_form(exercise, one.v)),
             },
             "figures": [*map(_figure, one.figures)],
             "parts": parts,

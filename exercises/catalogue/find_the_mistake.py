@@ -118,7 +118,10 @@ def name(arm: Arm, W: Array) -> str:
 
 
 def judged_repair(arm: Arm, J: Array, W: Array, value: Array) -> Outcome:
-    """Spoiled columns that are made right carry the points; each sound one that is broken costs."""
+    """Spoiled columns that are made right carry the points; each sound one that is broken costs.
+
+    A slip in a new matrix is one like anywhere; what was left of the printed one is not new.
+    """
     is_right = np.abs(value - J) <= ROUNDING
     whole = is_right.all(axis=0)
     spoiled = (np.abs(W - J) > ROUNDING).any(axis=0)
@@ -126,7 +129,15 @@ def judged_repair(arm: Arm, J: Array, W: Array, value: Array) -> Outcome:
     repaired = (whole & spoiled).sum() / spoiled.sum()
     broken = (~whole & ~spoiled).mean()  # of all columns, so that one costs the same on every arm
     share = max(0.0, float(repaired - broken))
-    return Outcome(is_right, reading=reading(arm, W, value), share=share)
+    told = reading(arm, W, value)
+    return Outcome(is_right, reading=told, share=share, final=bool(told) or is_left(J, W, value))
+
+
+def is_left(J: Array, W: Array, value: Array) -> bool:
+    """Whether more than a quarter of what is wrong in W stands in a repair as it was."""
+    wrong = np.abs(W - J) > ROUNDING
+    left = wrong & (np.abs(value - W) <= ROUNDING)
+    return bool(left.sum() > wrong.sum() / 4)
 
 
 def reading(arm: Arm, W: Array, value: Array) -> str:

@@ -16,7 +16,6 @@ from ..answers import LETTERS, Choice, Configurations, Numbers
 from ..arm import Arm, Array, arm_of
 from ..arms.puma import PUMA, REACH, TABLE, drawn
 from ..arms.puma_singular import blocks, elbow_angles, loses_one_direction, posture
-from ..calculations.columns import TOOL_AXES, tool_axes
 from ..calculations.lost import (
     ANGLE,
     ZERO,
@@ -88,7 +87,6 @@ def drawn_twist(rng: np.random.Generator, J: Array) -> list[float]:
     3,
     Numbers((6, 6), [["m/rad"]] * 3 + [["1"]] * 3),
     shows={"axes": lambda arm: arm.axes},
-    mistakes=[(TOOL_AXES, lambda arm: tool_axes(arm.frames, arm.kinds))],
 )
 def J(arm: Arm) -> Array:
     r"""The 6 × 6 Jacobian $\mathbf J$ at your $\mathbf q$, linear rows above angular rows

@@ -276,7 +276,7 @@ EXERCISE = exercise(
         "Tell which entries of a Jacobian hold lengths, and in which units they are.",
     ),
     robot=ROBOT,
-    structure=("change", "reasons"),
+    hidden=("change", "reasons"),  # the statement has both in words
     draw=draw,
     statement=statement,
     drawings=drawn,

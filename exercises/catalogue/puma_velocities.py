@@ -14,7 +14,6 @@ from ...solutions.singularity import sigma_min
 from ..answers import Numbers
 from ..arm import Arm, Array
 from ..arms.puma import FAMILIES, NEAR_SINGULAR, PUMA, REACH, REGULAR, TABLE, drawn, posture
-from ..calculations.columns import LATE, TOOL_AXES, late, tool_axes
 from ..calculations.readings import LINEAR, TRANSPOSED, WHOLE, Speed, judged_rates, rates_for
 from ..draws import rates
 from ..exercise import Outcome
@@ -63,10 +62,6 @@ def draw(rng: np.random.Generator) -> dict[str, Any]:
     4,
     Numbers((6, 6), [["m/rad"]] * 3 + [["1"]] * 3),
     shows={"axes": lambda arm: arm.axes, "origins": lambda arm: arm.frames[:, :3, 3].T},
-    mistakes=[
-        (TOOL_AXES, lambda arm: tool_axes(arm.frames, arm.kinds)),
-        (LATE, lambda arm: late(arm.frames, arm.kinds)),
-    ],
 )
 def J(arm: Arm) -> Array:
     r"""(a) The 6 × 6 Jacobian $\mathbf J$ at your $\mathbf q$, linear rows above angular rows

@@ -43,6 +43,15 @@ class Kind:
         return ""
 
     @property
+    def declared_beside(self) -> Mapping[str, tuple[str, ...]]:
+        """What a student says of the answer in variables of their own, by the end of their names.
+
+        Each takes one of these words, the first where nothing is said: with {"convention":
+        ("standard", "modified")}, `rrt_dh_convention` is asked for beside `rrt_dh`.
+        """
+        return {}
+
+    @property
     def array_shape(self) -> tuple[int, ...]:
         """The shape in which an array of numbers would be handed in."""
         return ()
@@ -73,7 +82,15 @@ class Kind:
 
     def blank(self, variable: str) -> str:
         """Python of the answer's cell as it is handed out."""
-        return f"{variable} = ...  # {self.form}"
+        return "\n".join([*self.declarations(variable), f"{variable} = ...  # {self.form}"])
+
+    def declarations(self, variable: str) -> list[str]:
+        """Python of what is declared beside the answer, a line each, as it is handed out."""
+        lines: list[str] = []
+        for name, (first, *others) in self.declared_beside.items():
+            alternatives = ", ".join(f'"{word}"' for word in others)
+            lines.append(f'{variable}_{name} = "{first}"  # or {alternatives}')
+        return lines
 
     def code(self, variable: str, value: Any) -> str:
         """Python that assigns a declared value in full."""

@@ -1,6 +1,6 @@
 """A Denavit-Hartenberg table."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -14,6 +14,15 @@ from .kind import Kind, ValueKindError, Variant, listed_rows
 from .paper import Paper, counted
 
 COLUMNS = (r"\theta_i", "d_i", "a_i", r"\alpha_i")
+CONVENTIONS = ("standard", "modified")
+FREE = {
+    "base": "the base frame",
+    "tool": "the last frame",
+    "senses": "the positive senses of the joints",
+    "zero": "the zeros of the joint variables",
+}
+"""What a student may choose where the sheet does not give it."""
+DECLARED = "Say beside it whether your table is a standard or a modified one."
 MATLAB_EXAMPLE = "{'q1 + pi', 0.25, 'd1', 'pi/3'; ...}"
 
 
@@ -24,12 +33,13 @@ class TableOf(Kind):
     Cells are expressions in `names` and q1 ... qn, or numbers; names that a variant lacks are
     unknown on its sheet. Its value is a `Table`. A table that describes the same arm with frames
     placed otherwise is right, as far as `given` leaves that open: the sheet says which of base
-    frame, tool frame, positive senses and home pose it gives.
+    frame, tool frame, positive senses and home pose it gives. With the convention "either", the
+    student says beside the table which it has.
     """
 
     names: tuple[str, ...]
     kinds: str
-    convention: Literal["standard", "modified"] = "standard"
+    convention: Literal["standard", "modified", "either"] = "standard"
     decimals: int = 3
     given: Given = ALL_GIVEN
 
@@ -42,6 +52,22 @@ class TableOf(Kind):
     def self_check(self) -> tuple[str, Any]:
         """With the number of rows."""
         return "table", len(self.kinds)
+
+    @property
+    def asked_beside(self) -> str:
+        """What the student may choose, and what is declared."""
+        free = [words for name, words in FREE.items() if not getattr(self.given, name)]
+        sentences: list[str] = []
+        if free:
+            sentences.append(f"You may choose {' and '.join(free)} yourself.")
+        if self.convention == "either":
+            sentences.append(DECLARED)
+        return " ".join(sentences)
+
+    @property
+    def declared_beside(self) -> Mapping[str, tuple[str, ...]]:
+        """The convention, where it is the student's choice."""
+        return {"convention": CONVENTIONS} if self.convention == "either" else {}
 
     @property
     def array_shape(self) -> tuple[int, ...]:
@@ -64,8 +90,11 @@ class TableOf(Kind):
         return table_numbers(value, v, posture(value.joints, v))
 
     def code(self, variable: str, value: Table) -> str:
-        """Rows of text."""
-        return f"{variable} = {listed_rows(table_text(value))}"
+        """Rows of text, and the convention where it is declared."""
+        rows = f"{variable} = {listed_rows(table_text(value))}"
+        if self.convention == "either":
+            return f"{variable}_convention = {value.convention!r}\n{rows}"
+        return rows
 
     def matlab(self, stacked: str) -> tuple[str, str]:
         """A cell array of text and numbers."""

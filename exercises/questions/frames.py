@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from ...solutions.equivalence import ALL_GIVEN, Given
 from ...solutions.table import Table
 from ..answers import Numbers, TableOf
 from ..arm import Arm, Array
@@ -13,6 +14,8 @@ from ..exercise import ExerciseError
 from ..part import Ready, Setting
 
 POSE = [["1", "1", "1", "m"]] * 3 + [["1"] * 4]
+ON_AXIS = 1e-9  # [rad, m]
+EITHER_AXIS = r"In the standard convention $\mathbf z_{i-1}$, in the modified one $\mathbf z_i$"
 AXIS = {"standard": r"\mathbf z_{i-1}", "modified": r"\mathbf z_i"}
 TABLE = r"""The Denavit–Hartenberg table: one row $[\theta_i, d_i, a_i, \alpha_i]$ per joint, as
 text in the names of your lengths and q1, q2 ..., for instance `['q1 + pi', 0.25, 'd1', 'pi/3']`, or
@@ -66,14 +69,23 @@ def filled(text: str, **values: object) -> str:
     return text
 
 
-def dh_table(*, name: str = "dh", points: float = 3, decimals: int = 3) -> Ready:
-    """The table of the arm off its drawing, cell by cell; the sheet then prints no table.
+def dh_table(
+    *,
+    name: str = "dh",
+    points: float = 3,
+    decimals: int = 3,
+    given: Given = ALL_GIVEN,
+    either: bool = False,
+) -> Ready:
+    """The table of the arm off its drawing; the sheet then prints no table.
 
-    The base frame, the tool frame and the home pose are drawn; that fixes the table of an arm whose
-    neighbouring axes cross at right angles or lie apart.
+    The base frame, the tool frame, the positive senses and the home pose are drawn, unless `given`
+    leaves some of them to the student: the sheet says which. With `either`, the student chooses the
+    convention and declares it in a variable beside the table.
 
     Raises:
-        ExerciseError: on a sheet, where the arm has no Denavit-Hartenberg table.
+        ExerciseError: on a sheet, where the arm has no Denavit-Hartenberg table, or none in the
+            other convention that leads from the drawn base frame to the drawn tool frame.
     """
 
     def ready(setting: Setting) -> Question:
@@ -82,11 +94,31 @@ def dh_table(*, name: str = "dh", points: float = 3, decimals: int = 3) -> Ready
             raise ExerciseError(
                 f"dh_table takes a robot with a Denavit-Hartenberg table, got {robot.name}"
             )
-        answer = TableOf(tuple(robot.parameters), robot.kinds, robot.convention, decimals)
-        text = filled(TABLE, axis=f"${AXIS[robot.convention]}$", name=name)
+        convention, axis = robot.convention, f"${AXIS[robot.convention]}$"
+        if either:
+            _check_either(setting, given)
+            convention, axis = "either", EITHER_AXIS
+        answer = TableOf(tuple(robot.parameters), robot.kinds, convention, decimals, given)
+        text = filled(TABLE, axis=axis, name=name)
         return Question(_table_of, name, points, answer, docstring=text)
 
     return ready
+
+
+def _check_either(setting: Setting, given: Given) -> None:
+    """Refuses an arm whose drawn base or tool frame is no frame of the other convention."""
+    robot = setting.robot
+    at_zero = dict.fromkeys(robot.joints, 0.0)
+    rows = robot.table.numbers({**robot.values(setting.arm.lengths), **at_zero})
+    first_or_last, frame = rows[-1], "tool"
+    if robot.convention == "modified":
+        first_or_last, frame = rows[0], "base"
+    is_given = given.tool if frame == "tool" else given.base
+    if is_given and np.abs(first_or_last[2:]).max() > ON_AXIS:
+        raise ExerciseError(
+            f"dh_table takes either convention where the {frame} frame lies on the axis of its "
+            f"joint, or is not given; that of {robot.name} does not"
+        )
 
 
 def _table_of(arm: Arm) -> Table:
@@ -96,15 +128,18 @@ def _table_of(arm: Arm) -> Table:
 def pose(
     *, name: str = "T", points: float = 2, decimals: int = 4, mistakes: Sequence[Wrong] = ()
 ) -> Ready:
-    """The pose (4, 4) of the tool frame in the base frame.
+    """The pose (4, 4) of the tool frame in the base frame, from the student's own table, if asked.
 
     `mistakes` are known wrong ways beside its inverse.
     """
 
     def ready(setting: Setting) -> Question:
         text = filled(TOOL, row=ROW[setting.robot.convention], name=name)
+        solve = _tool
+        if follows_table(setting):
+            solve = _tool_of_table
         return Question(
-            _tool,
+            solve,
             name,
             points,
             Numbers((4, 4), POSE, decimals),
@@ -118,6 +153,20 @@ def pose(
 
 def _tool(arm: Arm) -> Array:
     return arm.T
+
+
+def _tool_of_table(arm: Arm, dh: Table) -> Array:
+    return frames_of_table(arm, dh)[-1]
+
+
+def follows_table(setting: Setting) -> bool:
+    """Whether a table is asked before, whose last frame is the tool."""
+    return "dh" in setting.earlier and not setting.robot.tool
+
+
+def frames_of_table(arm: Arm, dh: Table) -> Array:
+    """Frames (n + 1, 4, 4) of a student's own table as its convention prints them."""
+    return dh.frames(arm.robot.values(arm.lengths), arm.q)
 
 
 def transforms(*, name: str = "T", points: float = 3, decimals: int = 3) -> Ready:
@@ -138,7 +187,7 @@ def transforms(*, name: str = "T", points: float = 3, decimals: int = 3) -> Read
         )
 
         solve, each_step = poses, _next
-        if "dh" in setting.earlier and not robot.tool:
+        if follows_table(setting):
             solve, each_step = _of_table, _next_of_table
         mistakes: list[Wrong] = []
         if count > 1:
@@ -167,7 +216,7 @@ def poses(arm: Arm) -> Array:
 
 
 def _of_table(arm: Arm, dh: Table) -> Array:
-    frames = dh.frames(arm.robot.values(arm.lengths), arm.q)
+    frames = frames_of_table(arm, dh)
     if dh.convention == "standard":
         return frames[1:]
     return frames[:-1]  # a modified table has its tool at the end

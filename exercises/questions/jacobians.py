@@ -7,14 +7,15 @@ import numpy as np
 
 from ...solutions.jacobian import in_axes
 from ...solutions.jacobian import jacobian as jacobian_of
-from ..answers import Numbers
+from ...solutions.table import Table
+from ..answers import Numbers, TableOf
 from ..arm import Arm, Array
 from ..calculations.columns import SLIPS, TOOL_AXES, Slip, all_turning, late, late_axes, right
 from ..calculations.twists import Chosen, described, jacobian_units, rows_on_sheet
 from ..contract.question import Question, Wrong
 from ..exercise import ExerciseError
 from ..part import Ready, Setting
-from .frames import filled
+from .frames import filled, follows_table, frames_of_table
 
 Axes = Literal["base", "tool"]
 Point = Literal["tool", "origin"] | int
@@ -60,9 +61,10 @@ def jacobian(
 ) -> Ready:
     """The Jacobian (m, n) of a point in base or tool axes.
 
-    A number as `point` is the origin of that frame. With base axes at the tool point of a standard
-    table the Jacobian follows from the student's own transforms `T` (n, 4, 4). `mistakes` are known
-    wrong ways beside those that it has for any arm.
+    A number as `point` is the origin of that frame. With base axes at the tool point the Jacobian
+    follows from the student's own transforms `T` (n, 4, 4), or else from the student's own table,
+    where they are asked before. `mistakes` are known wrong ways beside those that it has for any
+    arm.
 
     Raises:
         ExerciseError: on a sheet, where no joint of the arm moves the point.
@@ -96,13 +98,35 @@ def _solved(setting: Setting, asked: list[int], frame: Axes, point: Point) -> Ca
         return _jacobian(arm, frame, point)[asked]
 
     def of_frames(T: Array, arm: Arm) -> Array:
-        return right(np.concatenate([np.eye(4)[None], T]), arm.kinds)[asked]
+        return right(_placed(T, setting.robot.convention), arm.kinds)[asked]
 
-    is_plain = frame == "base" and point == "tool"
-    is_standard = setting.robot.convention == "standard"
-    if is_plain and is_standard and _has_transforms(setting):
-        return of_frames
-    return of_arm
+    def of_own_frames(T: Array, dh: Table) -> Array:
+        return right(_placed(T, dh.convention), dh.kinds)[asked]
+
+    def of_table(arm: Arm, dh: Table) -> Array:
+        return right(frames_of_table(arm, dh), dh.kinds)[asked]
+
+    if frame != "base" or point != "tool":
+        return of_arm
+    if _has_transforms(setting):
+        return of_own_frames if _chosen_convention(setting) else of_frames
+    return of_table if follows_table(setting) else of_arm
+
+
+def _chosen_convention(setting: Setting) -> bool:
+    """Whether the student's table says on which axes the student's frames are."""
+    table = setting.earlier.get("dh")
+    return isinstance(table, TableOf) and table.convention == "either" and follows_table(setting)
+
+
+def _placed(T: Array, convention: str) -> Array:
+    """Frames (n + 1, 4, 4) on the axis of each joint and at the tool, of frames 1 to n.
+
+    In the standard convention frame i - 1 is on axis i, in the others frame i, and n is the tool.
+    """
+    if convention == "standard":
+        return np.concatenate([np.eye(4)[None], T])
+    return np.concatenate([T, T[-1:]])
 
 
 def _text(setting: Setting, asked: list[int], frame: Axes, point: Point, name: str) -> str:

@@ -52,11 +52,11 @@ class Limits:
 
     A cell that does nothing but wait may wait three times as long as it may compute. A call of an
     asked function has the time of a cell; after the first that runs out of it, all others share
-    as much again.
+    as much again. To simplify the Jacobian of a Puma frame by frame takes sympy about 7 s.
     """
 
-    cell_seconds: float = 5.0  # of the processor, for each cell
-    notebook_seconds: float = 60.0  # on the clock, for all cells
+    cell_seconds: float = 30.0  # of the processor, for each cell
+    notebook_seconds: float = 180.0  # on the clock, for all cells
     memory_mb: int = 2048
     file_mb: int = 16  # of each file that it writes
 

@@ -1,199 +1,117 @@
 """From a notebook to named raw values: the whole interface to student code.
 
-The notebook runs in a process of its own that holds no answer: a clean environment, an empty
-folder, limits on processor time, memory, file size, output and the wall clock, and an alarm for
-every cell.
+The notebook runs in a jail, in a process of its own that holds no answer and decides nothing; what
+it says is checked by wire.py.
 """
 
 import json
-import os
-import select
-import shutil
 import signal
-import subprocess
-import sys
-import tempfile
-import time
-from collections.abc import Generator, Sequence
-from contextlib import contextmanager, suppress
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from ..jail.jail import FOR_ONE, Jail, on_linux
+from ..jail.level import ON_LINUX, Permission
+from ..jail.zygote import End, Order
 from .ask import Ask, Limits
-from .wire import Raw, read_frame
+from .wire import ENDED, Raw, read_frame
 
-try:
-    import resource
-except ImportError:  # Windows; there, files of matrices are marked all the same
-    resource = None
+RUN = Path(__file__).parents[1] / "inside" / "start.py"
+"""Where the student's process begins: it is started by path, never imported."""
+SIGKILL = getattr(signal, "SIGKILL", 9)  # Windows has neither, and imports this
+SIGSYS = getattr(signal, "SIGSYS", 31)
+LITTLE = 0.5  # of the time on the clock: less of the processor, and it did not compute but wait
+STOPPED = "the notebook was stopped from outside; it will be run again"
+WAITED = (
+    "after {seconds:g} s the notebook had computed for {cpu:.1f} s only: "
+    "it waited, or this machine was busy; it will be run again"
+)
+FORBIDDEN = "a cell did what no notebook may, and its process was stopped"
 
-RUNNER = Path(__file__).with_name("runner.py")
-MAX_FRAME = 2 << 20
-MAX_NOTEBOOK = 20 << 20
 
-
-def collect(notebook: bytes, asks: Sequence[Ask], limits: Limits | None = None) -> dict[str, Raw]:
+def collect(
+    notebook: bytes,
+    asks: Sequence[Ask],
+    limits: Limits | None = None,
+    *,
+    jail: Jail | None = None,
+    beside: Mapping[str, bytes] | None = None,
+) -> dict[str, Raw]:
     """The asked variables by name, after all cells ran.
 
     A cell that fails or loops costs only its own variables. A function that is asked with calls is
     called inside, after the cell that sets it and again after the last cell, and comes back as
     `Raw("calls", [Raw, ...])`. A call that fails, loops or returns nonsense costs only itself.
+    What is missing because the notebook was stopped from outside is of kind "interrupted".
+
+    A `jail` that is kept saves starting one for every notebook. The notebook sees copies of the
+    files `beside` it, by name.
+
+    Raises:
+        JailError: no notebook can run on this machine as it should.
     """
+    if jail is None:
+        with Jail(Permission(), preload=FOR_ONE) as own:
+            return collect(notebook, asks, limits, jail=own, beside=beside)
+
     limits = limits or Limits()
     names = [ask.name for ask in asks]
-    reason = cannot_run()
-    if len(notebook) > MAX_NOTEBOOK:
-        reason = (
-            f"the file has {len(notebook) >> 20} MB; a notebook may have {MAX_NOTEBOOK >> 20} MB"
-        )
-    if reason:
-        return {name: Raw("error", reason) for name in names}
-
     calls: dict[str, tuple[tuple[Any, ...], ...]] = {}
     for ask in asks:
         if ask.calls:
             calls[ask.name] = ask.calls
-    request = {
-        "notebook": notebook.decode("utf-8-sig", errors="replace"),
-        "asks": names,
-        "calls": calls,
-        "cell_seconds": limits.cell_seconds,
-    }
-    frame, why = _run(json.dumps(request, default=_plain).encode(), limits)
-    return read_frame(frame, names, why, {name: len(asked) for name, asked in calls.items()})
+    about = {"asks": names, "calls": calls, "cell_seconds": limits.cell_seconds}
+    request = _request(about, notebook, beside or {})
+
+    end = jail.run(Order(request, limits.notebook_seconds, limits.memory_mb, limits.file_mb))
+    frame = end.frame if end else b""
+    counts = {name: len(asked) for name, asked in calls.items()}
+    return read_frame(frame, names, _instead(end, limits), counts)
 
 
 def cannot_run() -> str:
     """Why no notebook can run on this machine; empty where it can."""
-    if hasattr(resource, "prlimit"):
+    if on_linux():
         return ""
-    return (
-        "notebooks are marked on Linux (on Windows: WSL2, on macOS: a Linux machine); "
-        ".json, .csv and .mat anywhere"
-    )
+    return f"{ON_LINUX}; .json, .csv and .mat anywhere"
+
+
+def _request(about: dict[str, Any], notebook: bytes, beside: Mapping[str, bytes]) -> bytes:
+    """A line that says what follows it, the notebook, and the files."""
+    sizes = [(name, len(data)) for name, data in beside.items()]
+    line = json.dumps(about | {"size": len(notebook), "beside": sizes}, default=_plain)
+    return b"".join([line.encode(), b"\n", notebook, *beside.values()])
 
 
 def _plain(array: Any) -> Any:
     return array.tolist()
 
 
-def _run(request: bytes, limits: Limits) -> tuple[bytes, str]:
-    """The last complete frame that the runner wrote, and why it was stopped.
+def _instead(end: End | None, limits: Limits) -> Raw | None:
+    """What stands for the values that did not come; None where the notebook ended by itself.
 
-    The reason is empty where the runner ended by itself.
+    It is no fault of the notebook's when somebody else stops it, or lets it wait.
     """
-    with _scratch() as folder:
-        ours, theirs = os.pipe()
-        try:
-            process = _started(folder, theirs)
-        finally:
-            os.close(theirs)
-        _limit(process.pid, limits)
-        try:
-            return _exchange(process, ours, request, limits.notebook_seconds)
-        finally:
-            os.close(ours)
-            _end(process)
+    if end is None:
+        return Raw("interrupted", STOPPED)
+    seconds = limits.notebook_seconds
+    if end.clock:
+        return _at_its_time(end, seconds)
+    if end.stopped:
+        return Raw("error", end.stopped)
+    if end.signal == SIGKILL and end.cpu < seconds:
+        return Raw("interrupted", STOPPED)
+    if end.signal:
+        said = {
+            SIGSYS: FORBIDDEN,
+            SIGKILL: f"the notebook computed for more than {seconds:g} s",
+        }
+        return Raw("error", said.get(end.signal, ENDED))
+    return None
 
 
-def _started(folder: str, pipe: int) -> "subprocess.Popen[bytes]":
-    return subprocess.Popen(  # noqa: S603 - the interpreter and our own runner
-        [sys.executable, "-I", str(RUNNER), str(pipe)],
-        stdin=subprocess.PIPE,
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.DEVNULL,
-        pass_fds=(pipe,),
-        cwd=folder,
-        env=_environment(folder),
-        start_new_session=True,  # so that _end reaches what the notebook started, too
-    )
-
-
-@contextmanager
-def _scratch() -> Generator[str]:
-    """An empty folder that is gone afterwards, whatever was put into it."""
-    folder = tempfile.mkdtemp(prefix="notebook-")
-    try:
-        yield folder
-    finally:
-        try:
-            shutil.rmtree(folder, ignore_errors=True)
-        except RecursionError:  # thousands of folders in one another
-            command = ["/bin/rm", "-rf", "--", folder]
-            subprocess.run(command, check=False)  # noqa: S603 - our own folder
-
-
-def _environment(folder: str) -> dict[str, str]:
-    return {
-        "PATH": "/usr/bin:/bin",
-        "HOME": folder,
-        "TMPDIR": folder,
-        "LANG": "C.UTF-8",
-        "MPLBACKEND": "Agg",
-        "MPLCONFIGDIR": folder,
-        "OPENBLAS_NUM_THREADS": "1",  # one thread starts faster and fits the memory limit
-        "OMP_NUM_THREADS": "1",
-    }
-
-
-def _limit(pid: int, limits: Limits) -> None:
-    assert resource is not None  # noqa: S101 - cannot_run has said so
-    megabyte = 1 << 20
-    most = {
-        resource.RLIMIT_CPU: int(limits.notebook_seconds) + 1,
-        resource.RLIMIT_AS: limits.memory_mb * megabyte,
-        resource.RLIMIT_FSIZE: limits.file_mb * megabyte,
-        resource.RLIMIT_NOFILE: 128,
-        resource.RLIMIT_CORE: 0,
-    }
-    for what, amount in most.items():
-        resource.prlimit(pid, what, (amount, amount))
-
-
-def _exchange(
-    process: "subprocess.Popen[bytes]", ours: int, request: bytes, seconds: float
-) -> tuple[bytes, str]:
-    """Hands the request over and reads frames until the runner ends.
-
-    Only the newest complete frame is kept.
-    """
-    end = time.monotonic() + seconds
-    _hand_over(process, request)
-    buffer = newest = b""
-    while True:
-        left = end - time.monotonic()
-        if left <= 0:
-            return newest, f"the notebook was stopped after {seconds:g} s"
-        ready, _, _ = select.select([ours], [], [], left)
-        if not ready:
-            continue
-
-        chunk = os.read(ours, 1 << 16)
-        if not chunk:
-            return newest, ""
-        buffer += chunk
-
-        # A frame is eight bytes of length and as many bytes as they say.
-        while len(buffer) >= 8:
-            length = int.from_bytes(buffer[:8], "little")
-            if length > MAX_FRAME:
-                return newest, "the notebook wrote more than its answers can hold"
-            if len(buffer) < 8 + length:
-                break
-            newest = buffer[8 : 8 + length]
-            buffer = buffer[8 + length :]
-
-
-def _hand_over(process: "subprocess.Popen[bytes]", request: bytes) -> None:
-    assert process.stdin is not None  # noqa: S101 - Popen was given a pipe
-    # It may end before reading; the empty frame says so.
-    with suppress(BrokenPipeError), process.stdin as pipe:
-        pipe.write(request)
-
-
-def _end(process: "subprocess.Popen[bytes]") -> None:
-    with suppress(ProcessLookupError):
-        os.killpg(process.pid, signal.SIGKILL)
-    # A tracer in the student's session could hold the dead process back.
-    with suppress(subprocess.TimeoutExpired):
-        process.wait(timeout=5)
+def _at_its_time(end: End, seconds: float) -> Raw:
+    """What is said of a notebook that we stopped by the clock."""
+    if end.cpu < LITTLE * seconds:
+        return Raw("interrupted", WAITED.format(seconds=seconds, cpu=end.cpu))
+    return Raw("error", f"the notebook was stopped after {seconds:g} s")

@@ -6,6 +6,7 @@ import re
 from collections.abc import Sequence
 from typing import Any, cast
 
+from ...solutions.plain_number import plain_number
 from .ask import MAX_CALLS, Ask
 from .nested_values import raw_value
 from .semicolons import Ambiguous, rows_of
@@ -130,4 +131,11 @@ def _typed(rows: Rows) -> Any:
 
 
 def _numbers(row: list[str]) -> list[float]:
-    return list(map(float, row))
+    """The numbers of a row; ValueError where a cell is none."""
+    numbers: list[float] = []
+    for cell in row:
+        number = plain_number(cell)
+        if number is None:
+            raise ValueError(cell)
+        numbers.append(number)
+    return numbers

@@ -7,9 +7,9 @@ import csv
 import io
 import re
 
-NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d+)?")
-DECIMAL = re.compile(r"(?<![\d.,])(\d*),(\d+)(?![\d.,])")
-MATRIX = re.compile(r"[\d.eE+\- ]*;[\d.;eE+\- ]*")
+NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d+)?", re.ASCII)
+DECIMAL = re.compile(r"(?<![\d.,])(\d*),(\d+)(?![\d.,])", re.ASCII)
+MATRIX = re.compile(r"[\d.eE+\- ]*;[\d.;eE+\- ]*", re.ASCII)
 QUOTED = re.compile(r'"[^"]*+(?:""[^"]*+)*+"')
 BRACKETS = re.compile(r"[()]+|[^()]+")
 LINE_OR_SEMICOLON = re.compile(r"[\r\n;]")

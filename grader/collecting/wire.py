@@ -3,7 +3,7 @@
 import json
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from itertools import islice
 from typing import Annotated, Any, Literal, Self, cast
 
@@ -12,13 +12,16 @@ from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
 
 from .ask import MAX_CALLS
+from .machine_paths import without_paths
 
-Kind = Literal["num", "text", "calls", "missing", "error", "unasked"]
+Kind = Literal["num", "text", "calls", "missing", "error", "unasked", "interrupted"]
 MAX_ELEMENTS = 4096
 MAX_ROWS = 64  # of text, and cells in each
+MAX_NAME = 80  # of a package
 MAX_SAID = 400  # of a sentence on how a cell or a call ended
 MAX_TEXT = 20_000  # of one text: a formula, a matrix typed as a whole, an argument in words
 Said = Annotated[str, Field(max_length=MAX_SAID)]
+ENDED = "the notebook ended its own process before it finished"
 UNMARKED = "the value is not one that can be marked"
 
 
@@ -29,13 +32,18 @@ class Raw:
     The value is an array, nested text or, of kind "calls", a list with a Raw for every call. With
     `listed` it is a list of results of the published calls that was handed in as such; without, a
     function was called on what was asked. `note` says how the cell that set it ended, where it did
-    not end well. Kind "unasked" never comes out of a submission: it says why we could not ask.
+    not end well. `absent` names a package that it would have taken and that is not installed where
+    sheets are marked. "missing" may say why. Two kinds never come out of a submission: "unasked"
+    says why we could not ask, "interrupted" why we got no answer and will ask again. `beside` is
+    what was declared beside the answer, by the end of its name.
     """
 
     kind: Kind
     value: Any = None
     note: str = ""
     listed: bool = False
+    absent: str = ""
+    beside: Mapping[str, "Raw"] = field(default_factory=dict[str, "Raw"])
 
 
 class _Checked(BaseModel):
@@ -78,6 +86,7 @@ class _Typed(_Noted):
 class _Nothing(_Checked):
     k: Literal["missing", "error"]
     v: Said
+    absent: Annotated[str, Field(max_length=MAX_NAME)] = ""
 
 
 _Single = Annotated[_Numeric | _Typed | _Nothing, Field(discriminator="k")]
@@ -94,20 +103,24 @@ class _Value(_Checked):
 
 
 def read_frame(
-    frame: bytes, names: Sequence[str], why: str, calls: Mapping[str, int] | None = None
+    frame: bytes,
+    names: Sequence[str],
+    instead: Raw | None = None,
+    calls: Mapping[str, int] | None = None,
 ) -> dict[str, Raw]:
-    """Raw values by name from the last frame of a process; `why` it was stopped, or empty.
+    """Raw values by name from the last frame of a process.
 
-    `calls` says how many calls of each variable were asked for. One bad value blanks that variable;
-    what is missing because the process did not finish is an error that says so.
+    `instead` stands for what is missing where the process was stopped. `calls` says how many calls
+    of each variable were asked for. One bad value blanks that variable; what is missing because the
+    process did not finish is an error that says so.
     """
     asked = calls or {}
     content = _object(_content(frame))
     values = _object(content.get("values"))
     found = {name: _read_value(values.get(name), asked.get(name, 0)) for name in names}
-    if content.get("done") is True and not why:
+    if content.get("done") is True and instead is None:
         return found
-    nothing = Raw("error", why or "the notebook ended its own process before it finished")
+    nothing = instead or Raw("error", ENDED)
     return {name: _filled(raw, nothing) for name, raw in found.items()}
 
 
@@ -128,7 +141,10 @@ def _object(value: Any) -> dict[str, Any]:
 def _filled(raw: Raw, nothing: Raw) -> Raw:
     """With the reason in the place of what is missing, calls that were not made included."""
     if raw.kind == "calls":
-        return replace(raw, value=[_filled(result, nothing) for result in raw.value])
+        results = [_filled(result, nothing) for result in raw.value]
+        if nothing.kind == "interrupted" and nothing in results:
+            return nothing
+        return replace(raw, value=results)
     if raw.kind == "missing":
         return nothing
     return raw
@@ -148,7 +164,8 @@ def _read_value(data: Any, calls: int) -> Raw:
     if not isinstance(value, _Calls):
         return _single(value)
     if calls and (value.listed or len(value.v) == calls):
-        return Raw("calls", [_single(result) for result in value.v], value.note, value.listed)
+        note = without_paths(value.note)
+        return Raw("calls", [_single(result) for result in value.v], note, value.listed)
     return Raw("error", UNMARKED)
 
 
@@ -174,10 +191,10 @@ def _items(value: Any, most: int, depth: int = 5) -> int:
 
 def _single(value: _Numeric | _Typed | _Nothing) -> Raw:
     if isinstance(value, _Numeric):
-        return Raw("num", _array(value.v), value.note)
+        return Raw("num", _array(value.v), without_paths(value.note))
     if isinstance(value, _Typed):
-        return Raw("text", value.v, value.note)
-    return Raw(value.k, value.v)
+        return Raw("text", value.v, without_paths(value.note))
+    return Raw(value.k, without_paths(value.v), absent=value.absent)
 
 
 def _array(parts: _Array) -> NDArray[Any]:

@@ -5,9 +5,12 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from ...solutions.reach import Reach
 from ...solutions.singularity import RegionalArm, Values
 from ...solutions.workspace import LIMITS, SINGULAR, Section
 from .joint_map import JointMap, short, sigma_unit, sign_rule
+
+PROVEN = 5e-3  # of the largest distance, which is printed to three digits
 
 
 def description(
@@ -15,12 +18,11 @@ def description(
     values: Mapping[str, float],
     found: JointMap,
     cut: Section,
-    reached: tuple[float, float],
+    reached: Reach,
 ) -> str:
     """Sentences on what is singular and where, how far the tool gets, what bounds its workspace.
 
-    `values` are the lengths by name [m], `reached` the least and the largest distance of the tool
-    from axis 1 [m].
+    `values` are the lengths by name [m], `reached` the distances of the tool from axis 1 [m].
     """
     point = found.part.point
     lengths = [f"{name} = {value:.5g} m" for name, value in values.items()]
@@ -40,13 +42,20 @@ def description(
     if found.det is not None:
         sentences.append(sign_rule(found))
 
-    near, far = map(_without_dust, reached)
+    near, far = _without_dust(reached.near), _without_dust(reached.far)
     sentences.append(
         f"Within the joint limits the {point} gets"
-        f" from {near:.3g} m to {far:.3g} m away from axis 1."
+        f" from {near:.3g} m to {far:.3g} m away from axis 1{_certainty(reached)}."
     )
     sentences += _walls(found.part, cut)
     return " ".join(sentence for sentence in sentences if sentence)
+
+
+def _certainty(reached: Reach) -> str:
+    """A caution where a search found the distances and nothing proves that they are the last."""
+    if reached.error <= PROVEN * reached.far:
+        return ""
+    return ", as far as a search from many postures found"
 
 
 def _without_dust(value: float) -> float:

@@ -12,6 +12,7 @@ from matplotlib.figure import Figure
 
 from ...solutions.errors import KinegradeError
 from ...solutions.expression import latex_name
+from ...solutions.reach import bounded_reach
 from ...solutions.singularity import (
     Parameters,
     RegionalArm,
@@ -21,7 +22,7 @@ from ...solutions.singularity import (
     task_block,
     zero_set,
 )
-from ...solutions.workspace import Section, reach, section
+from ...solutions.workspace import Section, section
 from .description import description
 from .determinant_formula import determinant_formula
 from .joint_map import JointMap
@@ -100,7 +101,7 @@ def describe(robot: "Robot", parameters: Parameters = None) -> str:
     """
     values = robot.values(parameters)
     found, cut = _found(robot, tuple(values.items()))
-    return description(robot.title, values, found, cut, reach(robot, parameters))
+    return description(robot.title, values, found, cut, bounded_reach(robot, parameters))
 
 
 def joint_map(robot: "Robot", parameters: Parameters = None) -> JointMap:

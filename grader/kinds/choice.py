@@ -9,7 +9,7 @@ from ...solutions.tokens import visible
 from ..collecting.wire import Raw
 from ..reading.arrays import flat_texts
 from ..reading.unreadable import Unreadable, clip
-from .marker import Comparison, Marker, Wanted
+from .marker import Comparison, Marker, Wanted, not_at_all
 
 
 def read_choice(answer: Choice, raw: Raw, _: Variant) -> str:
@@ -49,4 +49,4 @@ def _handed_in(_: Choice, value: str, __: Variant) -> Raw:
     return Raw("text", value)
 
 
-MARKER = Marker(read_choice, _compared, _handed_in)
+MARKER = Marker(read_choice, _compared, _handed_in, alone=not_at_all)

@@ -15,13 +15,18 @@ from ..reading.rounded import with_exact_angles
 from ..reading.typed_equations import typed_equations
 from ..reading.unreadable import Unreadable, misread
 from .domain import Domain, is_turn
-from .marker import Comparison, Marker, Wanted
+from .marker import Comparison, Marker, Wanted, not_at_all
+from .work import TooMuchWork, budget
 from .zero_sets import judge_conditions
 
 WHOLE = 1e-9  # degrees
 MOST_CONDITIONS = 32
 MOST_EQUATIONS = 64  # in all conditions
 MOST_NODES = 6000  # numbers, names and signs in all conditions
+MOST_WORK = 4e8  # numbers computed while conditions are judged, within two seconds or so
+TOO_LONG = (
+    "cannot be read in reasonable time: write few short conditions, each as a factor that is zero"
+)
 
 
 def read_conditions(answer: Conditions, raw: Raw, v: Variant) -> tuple[Condition, ...]:
@@ -99,7 +104,12 @@ def _typed(text: str, names: Sequence[str]) -> list[Condition]:
 
 
 def _compared(answer: Conditions, v: Variant, wanted: Wanted, value: Any) -> Comparison:
-    judged = judge_conditions(wanted.value, value, answer.domain(v), v)
+    """What holds, as far as it can be found out. Raises Unreadable where that takes too long."""
+    try:
+        with budget(MOST_WORK):
+            judged = judge_conditions(wanted.value, value, answer.domain(v), v)
+    except TooMuchWork as error:
+        raise Unreadable(TOO_LONG) from error
     return Comparison(np.array(judged.holds), judged.share, judged.findings)
 
 
@@ -111,4 +121,4 @@ def _handed_in(_: Conditions, value: Sequence[Condition], __: Variant) -> Raw:
     return Raw("text", _shown(value))
 
 
-MARKER = Marker(read_conditions, _compared, _handed_in, shown=_shown)
+MARKER = Marker(read_conditions, _compared, _handed_in, shown=_shown, alone=not_at_all)

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from ...exercises.answers import Variant
 from ...solutions.expression import Expression
 from .domain import EDGE, TURN, Array, Domain, Points, no_points, spread, with_edges
+from .work import evaluated
 
 LINES = 6  # along each joint
 STEPS = 720  # along a line, a turn at most
@@ -75,7 +76,7 @@ def _sampled(
         for name, x in start.items():
             values[name] = x[number]
         values[joint] = place
-        return np.broadcast_to(expression.at(values), place.shape)
+        return np.broadcast_to(evaluated(expression, values), place.shape)
 
     every = np.repeat(np.arange(LINES)[:, None], len(line), axis=1)
     values = at(every, np.broadcast_to(line, every.shape))

@@ -10,7 +10,7 @@ and what explains a wrong answer, `arrays` and `found`.
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -87,12 +87,14 @@ class Named:
         fault: What kind of mistake it is; None where such an answer earns nothing by itself.
         key: What is charged once though it is met again; the sentence, if empty.
         local: Whether the same sentence in another part is another mistake, as of one wrong entry.
+        titles: The known mistakes of any arm that it may be (grader/diagnosis), if it is of those.
     """
 
     sentence: str
     fault: Fault | None = None
     key: str = ""
     local: bool = False
+    titles: frozenset[str] = frozenset()
 
 
 @dataclass(frozen=True)
@@ -145,6 +147,19 @@ def _never(*_: Any) -> bool:
     return False
 
 
+Alone = Literal["in full", "not at all"]
+"""What counts of an answer by itself."""
+
+
+def _in_full(_: Any) -> Alone:
+    return "in full"
+
+
+def not_at_all(_: Any) -> Alone:
+    """Of answers that may be right by chance."""
+    return "not at all"
+
+
 @dataclass(frozen=True)
 class Marker:
     """A kind of answer as it is marked; all but the first three functions have defaults.
@@ -159,7 +174,8 @@ class Marker:
     compared: Callable[[Any, Variant, Wanted, Any], Mask | Comparison]
     """compared(answer, v, wanted, value): which entries are right.
 
-    Points then follow from the entries; a Comparison says its share itself.
+    Points then follow from the entries; a Comparison says its share itself. Raises Unreadable where
+    comparing would take too long.
     """
 
     handed_in: Callable[[Any, Any, Variant], Raw]
@@ -206,6 +222,12 @@ class Marker:
 
     found: Callable[[Asked, Any, Mask], Iterable[Named]] = _no_names
     """found(asked, value, right): what explains a wrong answer, from most to least telling."""
+
+    alone: Callable[[Any], Alone] = _in_full
+    """alone(answer): what counts of an answer where no number of the student's own was computed.
+
+    All of it, or nothing, where it is right by chance.
+    """
 
     priced: Callable[[Any, Any], bool] = _never
     """priced(answer, value): whether a named mistake leaves points: nobody guesses such a value."""

@@ -1,6 +1,7 @@
 """Every kind of answer and how it is marked."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 from types import MappingProxyType
 from typing import Any, cast
 
@@ -16,6 +17,7 @@ from ...exercises.answers import (
     TableOf,
     Variant,
 )
+from ...exercises.exercise import Part
 from ..collecting.wire import Raw
 from ..reading.unreadable import UNANSWERED, Unreadable
 from . import choice, conditions, configurations, formulas, function, manual, numbers, table
@@ -38,6 +40,16 @@ MARKERS: Mapping[type[Answer], Marker] = MappingProxyType(
 def marker_of(answer: Answer) -> Marker:
     """How this kind is marked."""
     return MARKERS[type(answer)]
+
+
+def raw_of(part: Part, raws: Mapping[str, Raw]) -> Raw:
+    """What was handed in for a part, and what was declared beside it."""
+    raw = raws.get(part.variable, Raw("missing"))
+    declared: dict[str, Raw] = {}
+    for name, variable in part.beside.items():
+        if variable in raws:
+            declared[name] = raws[variable]
+    return replace(raw, beside=declared) if declared else raw
 
 
 def read(answer: Answer, raw: Raw, v: Variant) -> Any:

@@ -18,7 +18,7 @@ from ..reading.arrays import (
     typed_block,
 )
 from ..reading.unreadable import Unreadable, clip, entry_name
-from .marker import Array, Asked, Marker, Mask, Named, Presentation, Wanted, is_trivial
+from .marker import Alone, Array, Asked, Marker, Mask, Named, Presentation, Wanted, is_trivial
 from .signs import said_of_exchanged, said_of_one_entry, said_of_signs
 
 LENGTH = re.compile(r"m(/.*)?")  # what is 1000 times as large in millimetres: no area, and no mass
@@ -141,6 +141,11 @@ def _found(asked: Asked, value: Array, right: Mask) -> Iterator[Named]:
         yield from said_of_one_entry(right)
 
 
+def _alone(answer: Numbers) -> Alone:
+    """Whole numbers, such as ranks, are guessed."""
+    return "in full" if answer.decimals > 0 else "not at all"
+
+
 def _priced(answer: Numbers, value: Array) -> bool:
     """Whether there are decimals, and a number that is none of -1, 0 and 1."""
     return answer.decimals > 0 and not is_trivial(value, 0.0).all()
@@ -167,5 +172,6 @@ MARKER = Marker(
     has_blocks=_has_blocks,
     in_other_units=_in_other_units,
     found=_found,
+    alone=_alone,
     priced=_priced,
 )

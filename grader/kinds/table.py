@@ -2,7 +2,8 @@
 
 import re
 from collections.abc import Iterator, Sequence
-from typing import Any, cast
+from dataclasses import replace
+from typing import Any, cast, get_args
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,14 +14,16 @@ from ...exercises.kinds.table import posture, table_numbers, table_text
 from ...exercises.properties import turned
 from ...solutions.errors import KinegradeError
 from ...solutions.expression import ExpressionError
-from ...solutions.table import COLUMNS, Table, read_table
+from ...solutions.plain_number import plain_number
+from ...solutions.table import COLUMNS, Convention, Table, read_table
 from ..collecting.wire import Raw
 from ..reading.arrays import real_numbers, without_single_axes
 from ..reading.typed import typed
 from ..reading.typed_matrix import typed_matrix
 from ..reading.unreadable import Unreadable, clip, misread
-from .marker import Asked, Comparison, Marker, Mask, Named, Wanted, is_trivial
-from .same_arm import describes_same_arm, repairs
+from .marker import Asked, Comparison, Marker, Mask, Named, Wanted, is_trivial, not_at_all
+from .repairs import repairs
+from .same_arm import describes_same_arm
 from .signs import said_of_one_entry
 
 SAME_ARM = "Your frames stand otherwise than in the solution; your table is one of the same arm."
@@ -34,11 +37,13 @@ SAME_ANGLE = 8e-3  # of a quarter turn, 0.7 degrees: two decimals of a radian ar
 
 
 def read_dh_table(answer: TableOf, raw: Raw, v: Variant) -> Table:
-    """The table, every cell of which has a value.
+    """The table, every cell of which has a value, in the convention that is asked or declared.
 
     Raises:
-        Unreadable: it has other rows, a cell cannot be read, or a joint variable is missing.
+        Unreadable: it has other rows, a cell cannot be read, a joint variable is missing, or the
+            declared convention is none.
     """
+    convention = _convention(answer, raw)
     joints = tuple(f"q{i}" for i in range(1, len(answer.kinds) + 1))
     others = [name for name in names_on_sheet(answer.names, v) if name not in joints]
     names = (*others, *joints)
@@ -49,11 +54,27 @@ def read_dh_table(answer: TableOf, raw: Raw, v: Variant) -> Table:
         _complete(row, answer.kinds[joint], joint, v)
         rows.append(row)
     try:
-        table = read_table(rows, names, answer.convention)
+        table = read_table(rows, names, convention)
         table_numbers(table, v, posture(joints, v))
     except KinegradeError as error:
         raise Unreadable(str(error)) from error
     return table
+
+
+def _convention(answer: TableOf, raw: Raw) -> Convention:
+    """The convention of a table: the asked one, or the declared one, standard where none is."""
+    if answer.convention != "either":
+        return answer.convention
+    declared = raw.beside.get("convention", Raw("missing"))
+    if declared.kind == "missing":
+        return "standard"
+    words = str(cast("object", declared.value)).strip("[]'\" \n").lower()
+    if not words:
+        return "standard"
+    for convention in get_args(Convention):
+        if words.startswith(convention):
+            return convention
+    raise Unreadable(f"the convention takes 'standard' or 'modified', got {clip(declared.value)}")
 
 
 def _plain_row(row: Sequence[str], names: tuple[str, ...], joint: int) -> list[str]:
@@ -105,10 +126,9 @@ def _typed_rows(text: str, names: tuple[str, ...]) -> list[list[str]]:
 
 def _cell(cell: Any) -> str:
     """A cell of nested text as text; Python hands over numbers as numbers."""
-    try:
-        return _typed(float(cell))
-    except (TypeError, ValueError, OverflowError):
-        return cell if isinstance(cell, str) else str(cell)
+    text = cell if isinstance(cell, str) else repr(cell)
+    number = plain_number(text)
+    return text if number is None else _typed(number)
 
 
 def _typed(number: float) -> str:
@@ -153,8 +173,14 @@ def _refuse_elsewhere(variable: str, row: Sequence[str], at: int, joint: int) ->
 
 
 def _compared(answer: TableOf, v: Variant, wanted: Wanted, value: Table) -> Mask | Comparison:
-    """Cell by cell; another table of the same arm is right as a whole."""
-    right = _right_cells(answer, v, wanted, value)
+    """Cell by cell; another table of the same arm is right as a whole.
+
+    Cells of another convention are no cells of the reference: such a table is right as a whole or
+    not.
+    """
+    right = np.zeros((len(answer.kinds), 4), dtype=bool)
+    if value.convention == wanted.value.convention:
+        right = _right_cells(answer, v, wanted, value)
     if right.all() or not describes_same_arm(answer, v, wanted.value, value):
         return right
     return Comparison(np.ones_like(right), 1.0, reading=SAME_ARM)
@@ -170,11 +196,23 @@ def _right_cells(answer: TableOf, v: Variant, wanted: Wanted, value: Table) -> M
     return np.less_equal(np.abs(difference).max(axis=0), allowed, dtype=bool)
 
 
-def _handed_in(_: TableOf, value: Table, __: Variant) -> Raw:
-    return Raw("text", table_text(value))
+def _handed_in(answer: TableOf, value: Table, __: Variant) -> Raw:
+    raw = Raw("text", table_text(value))
+    if answer.convention == "either":
+        return replace(raw, beside={"convention": Raw("text", value.convention)})
+    return raw
 
 
-def _read_as(_: TableOf, __: Raw, value: Table) -> str:
+def _read_as(answer: TableOf, _: Raw, value: Table) -> str:
+    """The declared convention, and an angle that seems to be in degrees."""
+    sentences: list[str] = []
+    if answer.convention == "either":
+        sentences.append(f"It was read as a {value.convention} table.")
+    sentences.append(_in_degrees(value))
+    return " ".join(filter(None, sentences))
+
+
+def _in_degrees(value: Table) -> str:
     """The first angle that was typed in degrees and not said to be."""
     for i, row in enumerate(value.rows, 1):
         for column in ANGLES:
@@ -198,7 +236,8 @@ def _found(asked: Asked, value: Table, right: Mask) -> Iterator[Named]:
         return
     faults = {repair.fault for repair in found}
     sentence = " Or: ".join(repair.sentence for repair in found)
-    yield Named(sentence, "slip" if faults == {"slip"} else "concept", local=True)
+    fault = found[0].fault if len(faults) == 1 else "concept"
+    yield Named(sentence, fault, local=True)
 
 
 def _priced(*_: Any) -> bool:
@@ -215,5 +254,6 @@ MARKER = Marker(
     varies=True,
     by_rows=True,
     found=_found,
+    alone=not_at_all,
     priced=_priced,
 )

@@ -1,7 +1,9 @@
 """Conditions such as sin(q2) = 0: do they hold where they should, and nowhere else?"""
 
+import json
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -25,6 +27,7 @@ from .domain import (
 )
 from .line_zeros import EXACT, LINES, zeros_along_lines
 from .sums import equations_within
+from .work import evaluated
 
 NEAR = 1e-4  # of a size a hundredth away: a double root is found to half the digits
 STARTS = 300  # places from which common zeros are looked for
@@ -103,7 +106,20 @@ def _findings(
 
 
 def _met_somewhere(condition: Condition, domain: Domain, v: Variant) -> Points:
-    """Points where a condition is met, looked for some turns beyond the domain if need be."""
+    """Points where a condition is met, looked for some turns beyond the domain if need be.
+
+    The same answer is judged several times: against the reference and against each known mistake.
+    """
+    return _met_with(condition, tuple(domain.items()), json.dumps(v, sort_keys=True, default=repr))
+
+
+@lru_cache(maxsize=128)
+def _met_with(
+    condition: Condition, limits: tuple[tuple[str, tuple[float, float]], ...], numbers: str
+) -> Points:
+    """The points by what can be looked up; they are not to be written to."""
+    domain = dict(limits)
+    v: Variant = json.loads(numbers)
     points = _roots(condition, domain, v)
     if count_of(points):
         return points
@@ -134,23 +150,23 @@ def _roots(condition: Condition, domain: Domain, v: Variant) -> Points:
     def values(points: Mapping[str, Any]) -> list[Any]:
         if len(sought) == 1:
             return _with_slopes(sought[0], points, domain)
-        return [part.at(points) for part in sought]
+        return [evaluated(part, points) for part in sought]
 
     return _common(equations, values, domain, v)
 
 
 def _is_zero_everywhere(expression: Expression, domain: Domain, v: Variant) -> bool:
-    values = expression.at({**v, **spread(domain, LINES)})
+    values = evaluated(expression, {**v, **spread(domain, LINES)})
     return bool((np.abs(values) <= EXACT).all())
 
 
 def _with_slopes(expression: Expression, points: Mapping[str, Any], domain: Domain) -> list[Any]:
     """Values of an expression and of its derivatives by the joints."""
-    values = [expression.at(points)]
+    values = [evaluated(expression, points)]
     for name in domain:
         if name in expression.names:
-            ahead = expression.at({**points, name: points[name] + SLOPE})
-            back = expression.at({**points, name: points[name] - SLOPE})
+            ahead = evaluated(expression, {**points, name: points[name] + SLOPE})
+            back = evaluated(expression, {**points, name: points[name] - SLOPE})
             values.append(np.subtract(ahead, back) / (2 * SLOPE))
     return values
 
@@ -222,4 +238,4 @@ def _size_nearby(expression: Expression, points: Points, v: Variant) -> Array:
 
 def _size(expression: Expression, points: Points, v: Variant) -> Array:
     """How far from zero an expression is at each of the points."""
-    return np.abs(np.broadcast_to(expression.at({**v, **points}), count_of(points)))
+    return np.abs(np.broadcast_to(evaluated(expression, {**v, **points}), count_of(points)))

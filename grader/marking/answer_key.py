@@ -9,8 +9,10 @@ import numpy as np
 
 from ...exercises.answers import Numbers, Variant
 from ...exercises.exercise import Exercise, Given, Part, references, solve
+from ..diagnosis.explain import Alternatives
 from ..kinds.marker import Mask, Named, Wanted
 from ..kinds.markers import marker_of
+from .arm_mistakes import ArmMistakes
 from .misread import Way, misread
 from .tolerance import tolerance
 
@@ -52,6 +54,7 @@ class AnswerKey:
         self._mistaken: dict[str, list[tuple[Named, Wanted]]] = {}
         self._misread: dict[str, list[tuple[Named, Wanted]]] = {}
         self._earning: dict[str, Mask] = {}
+        self._of_arm = ArmMistakes(exercise, v, self.reference)
 
     def wanted(self, part: Part) -> Wanted:
         """What follows from the reference answers."""
@@ -96,6 +99,12 @@ class AnswerKey:
                 continue
             found.append((Named(sentence, fault), replace(wanted, value=value)))
         return found
+
+    def of_arm(self, part: Part, wanted: Wanted) -> Alternatives | None:
+        """What known mistakes of any arm lead to, where the right answer follows from the arm."""
+        if wanted is not self._wanted.get(part.variable):
+            return None
+        return self._of_arm.alternatives(part)
 
     @cached_property
     def _ways(self) -> list[Way]:

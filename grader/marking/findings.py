@@ -1,15 +1,17 @@
 """What explains a wrong answer: known mistakes, presentations, printed numbers taken otherwise."""
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterable, Iterator
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...exercises.exercise import Part, Rows
+from ..diagnosis.explain import Alternatives
 from ..kinds.marker import Asked, Named, Presentation, Wanted
 from ..kinds.markers import marker_of
 from .answer_key import AnswerKey
+from .arm_mistakes import Answered, one_mistake, two_mistakes
 from .compare import compare
 
 Array = NDArray[np.float64]
@@ -47,11 +49,19 @@ REVERSED = (
 )
 
 
-def named(key: AnswerKey, part: Part, wanted: Wanted, value: Any, right: Any) -> Iterator[Named]:
+def named(
+    key: AnswerKey,
+    part: Part,
+    wanted: Wanted,
+    value: Any,
+    right: Any,
+    suspected: Iterable[Collection[str]] = (),
+) -> Iterator[Named]:
     """What explains a readable but wrong answer, the most telling first.
 
-    First what the exercise knows, then what may happen to any finished answer, then what may happen
-    to the printed numbers.
+    First what the exercise knows, then what may happen to any finished answer, to any arm, and to
+    the printed numbers. `suspected` are the known mistakes of any arm that explained other answers
+    of the same student.
     """
     for mistake, mistaken in key.mistaken(part, wanted):
         if compare(key, part, mistaken, value).all_right:
@@ -63,13 +73,29 @@ def named(key: AnswerKey, part: Part, wanted: Wanted, value: Any, right: Any) ->
         return
     marker = marker_of(part.answer)
     found = [*marker.found(_asked(key, part, wanted), value, right)]
+    is_personal = marker.priced(part.answer, value)
+    known = key.of_arm(part, wanted) if is_personal else None
+    if known:
+        of_arm = one_mistake(known, seen(key, part, wanted, value), found, suspected)
+        found = [of_arm] if of_arm else found
     if found:
         yield from found
         return
-    if marker.priced(part.answer, value):
-        for mistake, mistaken in key.misread(part, wanted):
-            if compare(key, part, mistaken, value).all_right:
-                yield mistake
+    if is_personal:
+        yield from _misread(key, part, wanted, value, known)
+
+
+def _misread(
+    key: AnswerKey, part: Part, wanted: Wanted, value: Any, known: Alternatives | None
+) -> Iterator[Named]:
+    """Printed numbers taken otherwise; if there are none, two mistakes at once."""
+    fits = False
+    for mistake, mistaken in key.misread(part, wanted):
+        if compare(key, part, mistaken, value).all_right:
+            fits = True
+            yield mistake
+    if known and not fits:
+        yield from two_mistakes(known, seen(key, part, wanted, value))
 
 
 def presentation(key: AnswerKey, part: Part, wanted: Wanted, value: Any) -> Presentation | None:
@@ -83,6 +109,12 @@ def presentation(key: AnswerKey, part: Part, wanted: Wanted, value: Any) -> Pres
         if all(_agree(own, known.of(reference), allowed) for own, reference, allowed in arrays):
             return known
     return None
+
+
+def seen(key: AnswerKey, part: Part, wanted: Wanted, value: Any) -> Answered:
+    """An answer as numbers, with how far each may be off."""
+    arrays = marker_of(part.answer).arrays(_asked(key, part, wanted), value)
+    return Answered(part.answer, arrays)
 
 
 def _asked(key: AnswerKey, part: Part, wanted: Wanted) -> Asked:

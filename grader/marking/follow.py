@@ -18,7 +18,10 @@ SAME = 2e-3  # two answers this close in every entry were not computed from diff
 TELLING = 5  # different numbers that tell whose an answer is: many share a joint axis
 HANDED_IN_TOO = "handed in the same numbers."
 NEAR = 0.01  # of a number: as near as rounded numbers are to each other
+ROUNDED = 6e-4  # between numbers with three decimals that are the same
 RELATED = 0.25  # of an answer's numbers: by chance fewer are among those of the reference
+PAIR = 2  # a sine comes with its cosine, so that two of many agree as easily as one
+MANY = 8  # different numbers
 MOST_ZEROS = 0.25
 
 
@@ -96,11 +99,16 @@ def is_unrelated(part: Part, reference: Any, answer: Any) -> bool:
     if not isinstance(part.answer, Numbers):
         return False
     own, wanted = _sizes(answer), _sizes(reference)
-    if len(own) < 2 or not len(wanted):
+    if not len(own) or not len(wanted):
+        return False
+    is_filled = np.size(answer) > 1 and np.ptp(np.abs(answer)) == 0
+    if len(own) < 2 and not is_filled:  # a single number says little of where it is from
         return False
     apart = np.abs(own[:, None] - wanted).min(axis=1)
-    close = np.minimum(SAME, NEAR * own)
-    return bool((apart <= close).mean() < RELATED)
+    close = np.minimum(ROUNDED, NEAR * own)
+    near = apart <= close
+    by_chance = PAIR if len(own) >= MANY else 0
+    return bool(near.mean() < RELATED or near.sum() <= by_chance)
 
 
 def is_printed(exercise: Exercise, v: Variant, answer: Any) -> bool:

@@ -21,8 +21,22 @@ def judged(key: AnswerKey, part: Part, wanted: Wanted, value: Any) -> Comparison
         said = [outcome.finding] if outcome.finding else []
         found = replace(found, findings=(*said, *found.findings), reading=outcome.reading)
         if outcome.share is not None:
-            found = replace(found, share=outcome.share, settled=True)
+            found = replace(found, share=outcome.share, settled=outcome.final)
     return found
+
+
+def judges(key: AnswerKey, part: Part, wanted: Wanted, value: Any) -> bool:
+    """Whether a part's own check says what is right, and not only what an answer is.
+
+    Some say so of right answers alone, so that it is asked of one, too.
+    """
+    if part.check is None:
+        return False
+    for answer in (wanted.value, value):
+        outcome = part.check(key.v, wanted.given, answer)
+        if outcome.right is not None or outcome.share is not None:
+            return True
+    return False
 
 
 def _checked(

@@ -11,7 +11,7 @@ from ...exercises.answers import Manual
 from ...exercises.exercise import Exercise, Part, Variant
 from ..collecting.wire import Raw
 from ..kinds.marker import Comparison, Named, Wanted
-from ..kinds.markers import marker_of, read
+from ..kinds.markers import marker_of, raw_of, read
 from ..reading.unreadable import UNANSWERED, Unreadable
 from .answer_key import AnswerKey
 from .findings import named
@@ -28,9 +28,11 @@ from .following import OwnAnswers, following
 from .judge import judged
 from .price import Bill
 from .verdict import Finding, Status, Verdict, not_graded
+from .vouched import is_vouched
 
 MOST_TEXT = 400  # of a sentence that repeats what a student's process said
 HALF = 0.5  # of the points: what has earned less, and has no name, may be made up
+KEPT = "Your answer is kept"
 UNASKED = "Your answer is kept; the exercise cannot call a function yet: "
 BY_HAND = "It is marked by hand."
 OUR_FAILURE = "The grader failed on this part; your answer is kept."
@@ -51,6 +53,8 @@ class Marked:
         peers: What other students handed in.
         own: The answers that could be read.
         verdicts: Of all parts so far.
+        named: Wrong parts whose mistake has a name and a price.
+        suspected: The known mistakes of any arm that may explain each part.
     """
 
     key: AnswerKey
@@ -59,6 +63,8 @@ class Marked:
     peers: Peers = field(default_factory=dict[str, Mapping[str, Any]])
     own: OwnAnswers = field(default_factory=OwnAnswers)
     verdicts: dict[str, Verdict] = field(default_factory=dict[str, Verdict])
+    named: set[str] = field(default_factory=set[str])
+    suspected: dict[str, frozenset[str]] = field(default_factory=dict[str, frozenset[str]])
 
 
 @dataclass(frozen=True)
@@ -98,8 +104,10 @@ def mark(
 def mark_all(sheet: Marked, raws: Mapping[str, Raw]) -> None:
     """Marks every asked part, in order, since later ones follow from earlier ones."""
     for part in sheet.key.exercise.asked:
-        raw = raws.get(part.variable, Raw("missing"))
-        if isinstance(part.answer, Manual):
+        raw = raw_of(part, raws)
+        if raw.kind == "interrupted" and not getattr(part.answer, "on_paper", False):
+            verdict = not_graded(part.variable, part.points, f"{KEPT}: {raw.value}.")
+        elif isinstance(part.answer, Manual):
             verdict = _by_hand(part, raw, sheet.key.v)
         else:
             verdict = _mark_raw(sheet, part, raw)
@@ -117,7 +125,10 @@ def _mark_raw(sheet: Marked, part: Part, raw: Raw) -> Verdict:
     answer, unjudged = _read(part, raw, sheet.key.v)
     if unjudged:
         return unjudged
-    verdict = _mark_readable(sheet, part, answer)
+    try:
+        verdict = _mark_readable(sheet, part, answer)
+    except Unreadable as error:  # what can be read may still be too much to be compared
+        return _unreadable(part, raw, str(error))
     sheet.own.answers[part.variable] = answer
     read_as = marker_of(part.answer).read_as(part.answer, raw, answer)
     return replace(verdict, reading=" ".join(filter(None, (read_as, verdict.reading))))
@@ -127,6 +138,8 @@ def _mark_readable(sheet: Marked, part: Part, answer: Any) -> Verdict:
     """The verdict of an answer that was read, with a note for the instructor on whose it may be."""
     try:
         verdict = _verdict(sheet, part, answer)
+    except Unreadable:
+        raise
     except Exception:
         log.exception("%s could not be marked", part.variable)
         verdict = not_graded(part.variable, part.points, OUR_FAILURE)
@@ -178,7 +191,10 @@ def _with_note(verdict: Verdict, raw: Raw) -> Verdict:
 
 def _unreadable(part: Part, raw: Raw, sentence: str) -> Verdict:
     if sentence == UNANSWERED:
-        return Verdict(part.variable, "missing", 0.0, part.points)
+        hint = ()
+        if raw.kind == "missing" and raw.value:
+            hint = (Finding(f"In your file: {raw.value}."),)
+        return Verdict(part.variable, "missing", 0.0, part.points, hint)
     if sentence.startswith(UNANSWERED):  # a function as it was handed out
         return Verdict(
             part.variable, "missing", 0.0, part.points, (Finding("The function returns nothing."),)
@@ -202,29 +218,54 @@ def _verdict(sheet: Marked, part: Part, answer: Any) -> Verdict:
     follows = following(key, part, sheet.own, _wrong(sheet, part))
     if follows.wanted is not None:
         followed = _followed(sheet, part, follows.wanted, answer)
-        if followed is not None and _is_better(part, followed, own):
+        follow = _follow(sheet, part)
+        if followed is not None and _is_better(follow, followed, own):
             _charge(sheet, part, followed)
-            return _written_following(sheet, part, followed, answer)
-    reference = key.reference[part.variable]
-    if not own.names and own.share < HALF and is_unrelated(part, reference, answer):
+            if _is_made_up(part, followed, answer, follows.wanted.value):
+                sheet.own.unfollowed[part.variable] = UNRELATED
+            return _written_following(sheet, part, followed, answer, follow)
+    if _is_made_up(part, own, answer, key.reference[part.variable]):
         sheet.own.unfollowed[part.variable] = UNRELATED
     _charge(sheet, part, own)
+    if own.names and own.names[0].fault:
+        sheet.named.add(part.variable)
     verdict = _written(part, own, answer)
     if follows.why:
         return _with_finding(verdict, f"Nothing follows {follows.why}.")
     return verdict
 
 
+def _is_made_up(part: Part, judged: _Judged, answer: Any, wanted: Any) -> bool:
+    """Whether an answer earned little, has no name, and hardly any number of what is wanted."""
+    return not judged.names and judged.share < HALF and is_unrelated(part, wanted, answer)
+
+
 def _charge(sheet: Marked, part: Part, chosen: _Judged) -> None:
-    """Writes down what the part has paid for."""
+    """Writes down what the part has paid for, and which mistake of its arm it may be."""
     if chosen.names and not chosen.found.settled:
         sheet.bill.charge(part, chosen.names[0])
+    for name in chosen.names[:1]:
+        sheet.suspected[part.variable] = name.titles
 
 
-def _is_better(part: Part, followed: _Judged, own: _Judged) -> bool:
-    """Whether what follows from own answers earns more, or as much and all of it follows."""
-    earns = followed.share * part.follow
-    return earns > own.share or (followed.found.all_right and earns == own.share)
+def _follow(sheet: Marked, part: Part) -> float:
+    """The share of the points for what follows: all, where own numbers vouch for it."""
+    if is_vouched(sheet.key.exercise, part, sheet.verdicts, sheet.named):
+        return 1.0
+    return part.follow
+
+
+def _is_better(follow: float, followed: _Judged, own: _Judged) -> bool:
+    """Whether what follows from own answers earns more, or as much and all of it follows.
+
+    A known mistake of the arm that was made in an earlier answer is carried on, not made again: it
+    is worth what follows, or what is right of the entries.
+    """
+    earns = followed.share * follow
+    worth = own.share
+    if any(name.titles for name in own.names):
+        worth = own.found.share
+    return earns > own.share or (followed.found.all_right and earns >= worth)
 
 
 def _judge(sheet: Marked, part: Part, wanted: Wanted, answer: Any) -> _Judged:
@@ -232,7 +273,8 @@ def _judge(sheet: Marked, part: Part, wanted: Wanted, answer: Any) -> _Judged:
     found = judged(sheet.key, part, wanted, answer)
     if found.all_right:
         return _Judged(found, (), 1.0, ())
-    names = tuple(named(sheet.key, part, wanted, answer, found.right))
+    suspected = sheet.suspected.values()
+    names = tuple(named(sheet.key, part, wanted, answer, found.right, suspected))
     if not names:
         return _Judged(found, (), found.share, found.findings)
     share, before = 0.0, ""
@@ -268,7 +310,9 @@ def _followed(sheet: Marked, part: Part, wanted: Wanted, answer: Any) -> _Judged
         return None
 
 
-def _written_following(sheet: Marked, part: Part, followed: _Judged, answer: Any) -> Verdict:
+def _written_following(
+    sheet: Marked, part: Part, followed: _Judged, answer: Any, follow: float
+) -> Verdict:
     """The verdict of what follows from own answers.
 
     Answers that were accepted though they differ from the reference keep the full share; wrong ones
@@ -278,8 +322,8 @@ def _written_following(sheet: Marked, part: Part, followed: _Judged, answer: Any
     all_right = followed.found.all_right
     if not wrong:
         return _written(part, followed, answer, "correct" if all_right else None)
-    status = "follows" if all_right and part.follow == 1 else None
-    verdict = _written(part, followed, answer, status, part.follow)
+    status = "follows" if all_right and follow == 1 else None
+    verdict = _written(part, followed, answer, status, follow)
     says = "It was compared with what follows"
     if all_right:
         says = "It follows"

@@ -8,13 +8,15 @@ import numpy as np
 
 from ...exercises.exercise import Exercise, Manual, Part, Variant
 from ..collecting.wire import Raw
-from ..kinds.marker import Wanted
-from ..kinds.markers import read
+from ..kinds.markers import marker_of, raw_of, read
 from ..reading.unreadable import Unreadable
 from .answer_key import AnswerKey
+from .compare import compare
 from .following import OwnAnswers, following
-from .judge import judged
+from .judge import judges
 from .mark import Marked, mark_all
+
+READABLE = "can be read"
 
 
 @dataclass(frozen=True)
@@ -32,29 +34,42 @@ def remarks(
     """A remark on every asked part; with `consistency`, also whether it follows from earlier ones.
 
     The latter checks the student's J against the student's own T (S0, eq. 4.11). That a part
-    follows is said where marking says so, by the same function; what is right stays untold.
+    follows is said where marking says so, by the same function; what is right stays untold. It is
+    not said of answers that could be tried out until it fits: choices, conditions, whole numbers,
+    and what a part's own check judges.
     """
     key = AnswerKey(exercise, v)
     marked = Marked(key)
     if consistency:
         mark_all(marked, raws)
     for part in exercise.asked:
-        raw = raws.get(part.variable, Raw("missing"))
+        raw = raw_of(part, raws)
         if isinstance(part.answer, Manual):
             yield _by_hand(part, part.answer, raw, v)
             continue
-        if raw.kind == "unasked":
+        if raw.kind in ("unasked", "interrupted"):
             yield Remark(part.variable, ok=True, text=f"not checked: {raw.value}")
             continue
         try:
             answer = read(part.answer, raw, v)
         except Unreadable as error:
-            yield Remark(part.variable, ok=False, text=str(error))
+            hint = f": {raw.value}" if raw.kind == "missing" and raw.value else ""
+            yield Remark(part.variable, ok=False, text=f"{error}{hint}")
             continue
-        if _may_follow(exercise, part, marked.own):
+        may_follow = _may_follow(exercise, part, marked.own)
+        if may_follow and marker_of(part.answer).priced(part.answer, answer):
             yield _fits(key, part, marked.own, answer)
         else:
-            yield Remark(part.variable, ok=True, text="can be read")
+            yield Remark(part.variable, ok=True, text=READABLE)
+
+
+def readable(part: Part, raws: Mapping[str, Raw], v: Variant, text: str = READABLE) -> Remark:
+    """Whether a part's answer can be read, with nothing said of what it should be."""
+    try:
+        read(part.answer, raw_of(part, raws), v)
+    except Unreadable as error:
+        return Remark(part.variable, ok=False, text=str(error))
+    return Remark(part.variable, ok=True, text=text)
 
 
 def _may_follow(exercise: Exercise, part: Part, own: OwnAnswers) -> bool:
@@ -82,10 +97,18 @@ def _by_hand(part: Part, answer: Manual, raw: Raw, v: Variant) -> Remark:
 def _fits(key: AnswerKey, part: Part, own: OwnAnswers, answer: Any) -> Remark:
     names = " and ".join(own.needed(part))
     follows = following(key, part, own, names)
+    untold = Remark(part.variable, ok=True, text=READABLE)
     if follows.why:  # the reason, said here, would tell that earlier numbers are not right
-        return Remark(part.variable, ok=True, text="can be read")
+        return untold
 
-    right = None if follows.wanted is None else _agrees(key, part, follows.wanted, answer)
+    wanted = follows.wanted
+    try:
+        with np.errstate(all="ignore"):
+            if wanted is not None and judges(key, part, wanted, answer):
+                return untold
+            right = wanted and compare(key, part, wanted, answer).all_right
+    except Exception:  # noqa: BLE001 - a part's own check may fail in any way on what follows
+        right = None
     if right is None:
         return Remark(
             part.variable,
@@ -97,12 +120,3 @@ def _fits(key: AnswerKey, part: Part, own: OwnAnswers, answer: Any) -> Remark:
     return Remark(
         part.variable, ok=False, text=f"can be read, but does not follow from your own {names}"
     )
-
-
-def _agrees(key: AnswerKey, part: Part, wanted: Wanted, answer: Any) -> bool | None:
-    """Whether an answer is what follows; None where a part's own check has no answer to that."""
-    try:
-        with np.errstate(all="ignore"):
-            return judged(key, part, wanted, answer).all_right
-    except Exception:  # noqa: BLE001 - it may fail in any way on what an earlier answer leads to
-        return None

@@ -220,9 +220,8 @@ class Search:
             angle = self._aligning(gauge, links)
         after = self._after(gauge, links, angle)
         if not self.given.tool:
-            nearest, *_ = np.linalg.lstsq(after.open, -after.shift, rcond=1e-3)
-            y = np.asarray(nearest, dtype=np.float64)
-            yield after.settled(y, np.zeros((after.open.shape[1], 0)))
+            y, left = _settling(after.open, -after.shift)
+            yield after.settled(y, left[:, :0])
             return
         if np.abs(after.turn - np.eye(3)).max() > self.angle:
             self.note(n + 1, "the tool frame is turned otherwise")
@@ -237,14 +236,20 @@ class Search:
         """Open translations settled so that these rows of the shift vanish; None if they cannot."""
         A = gauge.open[rows]
         wanted = -gauge.shift[rows]
-        # Least squares by the singular values: the directions behind the rank stay open.
-        U, sizes, V = np.linalg.svd(A, full_matrices=True)
-        rank = int((sizes > SETTLED).sum())
-        y = V[:rank].T @ ((U[:, :rank].T @ wanted) / sizes[:rank])
+        y, left = _settling(A, wanted)
         if np.linalg.norm(wanted - A @ y) > self.length:
             self.note(axis, reason)
             return None
-        return gauge.settled(y, V[rank:].T)
+        return gauge.settled(y, left)
+
+
+def _settling(A: Array, wanted: Array) -> tuple[Array, Array]:
+    """The y (m,) that brings A y nearest to what is wanted, and what stays open of it (m, k)."""
+    # By the singular values: a base that slides along with joint 1 leaves only dust to settle.
+    U, sizes, V = np.linalg.svd(A, full_matrices=True)
+    rank = int((sizes > SETTLED).sum())
+    y = V[:rank].T @ ((U[:, :rank].T @ wanted) / sizes[:rank])
+    return y, V[rank:].T
 
 
 def kept_or_reversed(sign: float) -> Array:

@@ -31,6 +31,8 @@ __all__ = [
 
 DOUBLE = np.dtype(np.float64)
 FEW = 12  # up to so many configurations, plain math one by one is faster than rows
+# angles up to this many radians are added as they are: the sum is rounded to 7e-15
+LARGE = 64.0
 SYMBOLS = {"multiply": "*", "add": "+", "subtract": "-"}
 
 
@@ -46,6 +48,7 @@ class Compiled:
 def evaluate(chain: Chain, wanted: Wanted, q: Array, out: Array | None = None) -> Array:
     """Values (..., *shape) of a program of the chain at validated q (..., n), in `out` if given."""
     functions: Compiled = chain.compiled.get(wanted) or compiled(chain, wanted)
+    q = within_turns(chain, q)
     if q.ndim == 1 and out is None:
         return functions.single(q.tolist())
 
@@ -71,9 +74,28 @@ def plain(chain: Chain, wanted: Wanted, q: ArrayLike) -> Array | None:
         return None
     functions: Compiled | None = chain.compiled.get(wanted)
     values = q.tolist()
-    if functions is None or len(values) != len(chain.kinds) or not math.isfinite(sum(values)):
+    if functions is None or len(values) != len(chain.kinds):
+        return None
+    if not sum(map(abs, values)) < LARGE:  # also where one is not a number
         return None
     return functions.single(values)
+
+
+def within_turns(chain: Chain, q: Array) -> Array:
+    """The same configurations (..., n) with large angles brought within half a turn of zero.
+
+    Sums of large angles would be rounded before their cosine is taken. Sine and cosine of one angle
+    are exact to the last digit, however large it is.
+    """
+    if not q.size or (q.max() < LARGE and q.min() > -LARGE):
+        return q
+    turns = [i for i, kind in enumerate(chain.kinds) if kind == "R"]
+    angles = q[..., turns]
+    reduced = q.copy()
+    reduced[..., turns] = np.where(
+        np.abs(angles) < LARGE, angles, np.arctan2(np.sin(angles), np.cos(angles))
+    )
+    return reduced
 
 
 def compiled(chain: Chain, wanted: Wanted) -> Compiled:
@@ -101,7 +123,13 @@ def single(program: Program) -> Callable[[list[float]], Array]:
     outputs = ", ".join(_written(x) for x in program.outputs)
     lines.append(f"  out = empty({program.shape})")
     lines.append(f"  pack(out, 0, {outputs})")
-    lines.append("  return out")
+
+    # no -0.0 in a result: only where one of these is zero can a product be
+    factors = [f"s{index}" for index in used_angles(program)]
+    factors += [f"q{i}" for i, kind in enumerate(program.kinds) if kind == "P"]
+    lines.append(f"  if {' and '.join(factors) or True}:")
+    lines.append("    return out")
+    lines.append("  return out + 0.0")
     pack = struct.Struct(f"{len(program.outputs)}d").pack_into
     names = {"cos": math.cos, "sin": math.sin, "empty": np.empty, "pack": pack}
     return function_of("single(q)", lines, names)
@@ -121,5 +149,6 @@ def _angle(program: Program, index: int) -> str:
 def _written(value: Value) -> str:
     if not isinstance(value, Signed):
         return repr(value)
-    sign = "-" if value.negative else ""
-    return f"{sign}{value.name}"
+    if value.negative:
+        return f"0.0 - {value.name}"  # -x would be -0.0 where x is 0.0
+    return value.name

@@ -54,6 +54,7 @@ def direct(angle: Array, cosine: Array, sine: Array) -> None:
 def rows(program: Program, trig: Trig = half_angle) -> Callable[[Array, Array], None]:
     """Function of a batch q (N, n) that fills C-contiguous out (N, outputs), a block at a time."""
     kernel, outputs = _kernel(program, trig), len(program.outputs)
+    slides = [i for i, kind in enumerate(program.kinds) if kind == "P"]
     constants = [(i, x) for i, x in enumerate(program.outputs) if isinstance(x, float)]
 
     def fill(q: Array, out: Array) -> None:
@@ -76,7 +77,12 @@ def rows(program: Program, trig: Trig = half_angle) -> Callable[[Array, Array], 
                 views = _views(memory[:, :m], kernel.angles)
                 views += [row[:m] for row in values]
             kernel.run(block, *views)
-            result[start : start + m] = moved[:m]
+            here = result[start : start + m]
+            here[...] = moved[:m]
+            # no -0.0 in a result: only where one of these is zero can a product be
+            sines = memory[kernel.angles : 2 * kernel.angles, :m]
+            if not (sines.all() and block[:, slides].all()):
+                here += 0.0
 
     return fill
 
@@ -104,7 +110,6 @@ def _kernel(program: Program, trig: Trig) -> Kernel:
         "multiply": np.multiply,
         "add": np.add,
         "subtract": np.subtract,
-        "negative": np.negative,
         "copy": np.positive,
         "turn": trig,
     }
@@ -179,8 +184,11 @@ def _output_calls(program: Program, where: dict[str | float, str]) -> list[str]:
     for i, x in enumerate(program.outputs):
         if not isinstance(x, Signed) or where.get(x.name) == f"o{i}":
             continue
-        operation = "negative" if x.negative else "copy"
-        lines.append(f"  {operation}({where.get(x.name, x.name)}, o{i})")
+        source = where.get(x.name, x.name)
+        if x.negative:
+            lines.append(f"  subtract(0.0, {source}, o{i})")  # -x would be -0.0 where x is 0.0
+        else:
+            lines.append(f"  copy({source}, o{i})")
     return lines
 
 

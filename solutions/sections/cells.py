@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..singularity import RegionalArm, Values, sigma_min, task_block
+from ..spread import spread
 from .approach import approached, in_axis_frame, projected
 
 Extent = tuple[float, float, float, float]  # left, right, bottom, top [m]
@@ -19,7 +20,7 @@ def filled(part: RegionalArm, axes: tuple[str, str], cells: int) -> tuple[Values
 
     They come from samples, then from postures for the empty cells beside those that are reached.
     """
-    q = spread(part, SAMPLES)
+    q = spread(part.limits, SAMPLES)
     points = projected(in_axis_frame(part.chain, q), axes)
     sigma = sigma_min(task_block(part, q))
     # Samples of many joints end short of the rim: there is room around them.
@@ -67,20 +68,6 @@ def raster(points: Values, sigma: Values, cells: int, margin: int = 1) -> tuple[
     left, bottom = origin.tolist()
     right, top = (origin + shape * size).tolist()
     return image.reshape(shape[1], shape[0]), (left, right, bottom, top)
-
-
-def spread(part: RegionalArm, count: int) -> Values:
-    """Configurations (count, n) spread evenly over the joint limits: Roberts' additive recurrence.
-
-    Its ratio is the root of x^(n + 1) = x + 1, the golden ratio for one joint.
-    """
-    n = part.chain.n
-    ratio = 2.0
-    for _ in range(40):
-        ratio = (1 + ratio) ** (1 / (n + 1))
-    low, high = np.transpose(part.limits)
-    shares = np.arange(1, count + 1)[:, None] * ratio ** -np.arange(1.0, n + 1) % 1
-    return low + (high - low) * shares
 
 
 def beside_empty(image: Values, extent: Extent, points: Values) -> NDArray[np.bool_]:

@@ -1,0 +1,184 @@
+"""Grades: what a submission got by some rules, and which grade counts."""
+
+import json
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from sqlalchemy import ColumnElement, Connection, RowMapping, Select, Table, func, select
+
+from ...grader.marking.verdict import STATUS_WORDS, Finding, Verdict
+from .damage import DamagedError, as_number, loaded, plain
+from .entries import Change, enter
+from .tables import counted, finding, grade, submission, verdict
+
+Rows = list[dict[str, Any]]
+ORDER = {verdict: ["grade", "place"], finding: ["grade", "place", "number"]}
+
+
+@dataclass(frozen=True)
+class GradeKey:
+    """What a grade belongs to; the attempts drawn are part of `rules`."""
+
+    student: str
+    sheet: str
+    submission: str
+    rules: str
+
+
+def see(connection: Connection, keys: Iterable[GradeKey], change: Change) -> None:
+    """Notes the submissions that were never seen before."""
+    for key in keys:
+        name = {"student": key.student, "sheet": key.sheet, "hash": key.submission}
+        known = select(submission.c.entry).where(*_same(submission, name))
+        if connection.scalar(known) is None:
+            row = {**name, "entry": enter(connection, change)}
+            connection.execute(submission.insert().values(**row))
+
+
+def newest(connection: Connection, key: GradeKey) -> int | None:
+    """The number of the last grade for a key; None where there is none."""
+    return connection.scalar(select(func.max(grade.c.entry)).where(*_same(grade, vars(key))))
+
+
+def save(
+    connection: Connection, key: GradeKey, verdicts: Sequence[Verdict], change: Change
+) -> None:
+    """Adds a grade, unless the last one for the key says the same, and lets it count."""
+    see(connection, [key], change)
+    judged, found = _to_rows(verdicts)
+    last = newest(connection, key)
+    if last is not None and _says(connection, last, judged, found):
+        let_count(connection, key, last, change)
+        return
+
+    entry = enter(connection, change)
+    connection.execute(grade.insert().values(entry=entry, **vars(key)))
+    for table, rows in ((verdict, judged), (finding, found)):
+        if rows:
+            connection.execute(table.insert(), [{"grade": entry, **row} for row in rows])
+    _count(connection, key, entry, entry)
+
+
+def let_count(connection: Connection, key: GradeKey, number: int, change: Change) -> None:
+    """A grade counts from now on; where it already does, nothing is written."""
+    if not counts(connection, key, number):
+        _count(connection, key, number, enter(connection, change))
+
+
+def counts(connection: Connection, key: GradeKey, number: int) -> bool:
+    """Whether a grade is the one that counts for the student's sheet."""
+    same = _same(counted, {"student": key.student, "sheet": key.sheet})
+    query = select(counted.c.grade).where(*same).order_by(counted.c.entry.desc()).limit(1)
+    return connection.scalar(query) == number
+
+
+def _count(connection: Connection, key: GradeKey, number: int, entry: int) -> None:
+    row = {"entry": entry, "student": key.student, "sheet": key.sheet, "grade": number}
+    connection.execute(counted.insert().values(**row))
+
+
+def counting(connection: Connection, sheet: str) -> dict[str, int]:
+    """Student to the number of the grade that counts."""
+    query = select(counted.c.student, counted.c.grade)
+    found: dict[str, int] = {}
+    for row in connection.execute(query.where(counted.c.entry.in_(_last(sheet)))).mappings():
+        found[row["student"]] = row["grade"]
+    return found
+
+
+def verdicts_that_count(connection: Connection, sheet: str) -> dict[int, list[Verdict] | None]:
+    """The verdicts of the grades that count, by number; None where they are damaged."""
+    numbers = select(counted.c.grade).where(counted.c.entry.in_(_last(sheet)))
+    return _read(connection, numbers)
+
+
+def verdicts_of(connection: Connection, number: int) -> list[Verdict] | None:
+    """The verdicts of one grade; None where they are damaged."""
+    return _read(connection, [number]).get(number, [])
+
+
+def _last(sheet: str) -> "Select[Any]":
+    last = select(func.max(counted.c.entry)).where(counted.c.sheet == sheet)
+    return last.group_by(counted.c.student)
+
+
+def _read(
+    connection: Connection, numbers: "Select[Any] | list[int]"
+) -> dict[int, list[Verdict] | None]:
+    found: dict[tuple[int, int], list[Finding]] = {}
+    for row in _rows(connection, finding, numbers):
+        place = (row["grade"], row["place"])
+        found.setdefault(place, []).append(Finding(row["text"], private=bool(row["private"])))
+
+    read: dict[int, list[Verdict] | None] = {}
+    for row in _rows(connection, verdict, numbers):
+        verdicts = read.setdefault(row["grade"], [])
+        if verdicts is None:
+            continue
+        try:
+            verdicts.append(_verdict(row, found.get((row["grade"], row["place"]), [])))
+        except DamagedError:
+            read[row["grade"]] = None
+    return read
+
+
+def _rows(
+    connection: Connection, table: Table, numbers: "Select[Any] | list[int]"
+) -> Sequence[RowMapping]:
+    order = [table.c[name] for name in ORDER[table]]
+    query = select(table).where(table.c.grade.in_(numbers)).order_by(*order)
+    return connection.execute(query).mappings().all()
+
+
+def _verdict(row: RowMapping, findings: Iterable[Finding]) -> Verdict:
+    out_of = as_number(row["out_of"])
+    if row["status"] not in STATUS_WORDS or out_of is None:
+        raise DamagedError
+    return Verdict(
+        part=row["part"],
+        status=row["status"],
+        points=as_number(row["points"]),
+        out_of=out_of,
+        findings=tuple(findings),
+        reading=row["reading"],
+        right=loaded(row["mask"]),
+        answer=loaded(row["answer"]),
+    )
+
+
+def _to_rows(verdicts: Iterable[Verdict]) -> tuple[Rows, Rows]:
+    """The rows of verdicts and of their findings, without the number of the grade."""
+    judged: Rows = []
+    found: Rows = []
+    for place, one in enumerate(verdicts):
+        judged.append(
+            {
+                "place": place,
+                "part": one.part,
+                "status": one.status,
+                "points": one.points,
+                "out_of": one.out_of,
+                "reading": plain(one.reading),
+                "mask": json.dumps(one.right),
+                "answer": json.dumps(one.answer),
+            }
+        )
+        for number, sentence in enumerate(one.findings):
+            row = {"place": place, "number": number}
+            text = {"text": plain(sentence.text), "private": sentence.private}
+            found.append({**row, **text})
+    return judged, found
+
+
+def _says(connection: Connection, number: int, judged: Rows, found: Rows) -> bool:
+    """Whether a grade that is there has these rows and no others."""
+    for table, rows in ((verdict, judged), (finding, found)):
+        there = [dict(row) for row in _rows(connection, table, [number])]
+        if there != [{"grade": number, **row} for row in rows]:
+            return False
+    return True
+
+
+def _same(table: Table, key: Mapping[str, str]) -> list[ColumnElement[bool]]:
+    return [table.c[name] == value for name, value in key.items()]

@@ -1,0 +1,65 @@
+"""Marks that were given by hand."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from sqlalchemy import Connection, RowMapping, select
+
+from .damage import DamagedError, Damages, as_number, plain
+from .entries import Change, enter
+from .tables import mark
+
+
+@dataclass(frozen=True)
+class Mark:
+    """What a marker gave by hand for one answer.
+
+    `answer` names the one that was read, so that another answer needs another mark.
+    """
+
+    student: str
+    sheet: str
+    part: str
+    points: float
+    comment: str
+    answer: str
+
+
+def save(connection: Connection, marks: Iterable[Mark], change: Change) -> None:
+    """Adds marks, with one entry for all; a mark that says what the last one said adds nothing."""
+    entry = 0
+    for one in marks:
+        row = {**vars(one), "comment": plain(one.comment)}
+        if _last(connection, one) == row:
+            continue
+        entry = entry or enter(connection, change)
+        connection.execute(mark.insert().values(entry=entry, **row))
+
+
+def _last(connection: Connection, one: Mark) -> dict[str, object] | None:
+    columns = [column for column in mark.c if column.name != "entry"]
+    place = (mark.c.student == one.student, mark.c.sheet == one.sheet, mark.c.part == one.part)
+    query = select(*columns).where(*place).order_by(mark.c.entry.desc()).limit(1)
+    row = connection.execute(query).mappings().first()
+    if row is None:
+        return None
+    return dict(row)
+
+
+def that_count(connection: Connection, sheet: str, damages: Damages) -> dict[tuple[str, str], Mark]:
+    """The last mark of every part that has one, by student and part."""
+    last: dict[tuple[str, str], RowMapping] = {}
+    rows = connection.execute(select(mark).where(mark.c.sheet == sheet).order_by(mark.c.entry))
+    for row in rows.mappings():
+        last[row["student"], row["part"]] = row
+
+    marks: dict[tuple[str, str], Mark] = {}
+    for (student, part), row in last.items():
+        try:
+            points = as_number(row["points"])
+        except DamagedError:
+            damages.add(sheet, student, f"the mark of {part}", "`kinegrade marks set` enters it")
+            continue
+        if points is not None:  # else a comment alone
+            marks[student, part] = Mark(student, sheet, part, points, row["comment"], row["answer"])
+    return marks

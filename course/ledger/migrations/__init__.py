@@ -1,0 +1,1 @@
+"""Ways from an earlier gradebook to that of today, as Alembic reads them."""

@@ -1,0 +1,136 @@
+"""The tables of a gradebook. Rows are only ever added; where several speak, the newest counts."""
+
+from sqlalchemy import (
+    Boolean,
+    Column,
+    Float,
+    ForeignKey,
+    Index,
+    Integer,
+    MetaData,
+    String,
+    Table,
+    Text,
+)
+
+LEDGER = MetaData()
+VERSION = "2"  # of the newest file in migrations/versions; the first format had no migrations
+
+version = Table(
+    "alembic_version",  # the table and the column in which Alembic looks
+    LEDGER,
+    Column("version_num", String(32), primary_key=True),
+)
+entry = Table(
+    "entry",
+    LEDGER,
+    Column("id", Integer, primary_key=True, autoincrement=False),  # in the order of the changes
+    Column("at", String, nullable=False),  # ISO 8601, UTC
+    Column("author", String, nullable=False),
+    Column("reason", Text, nullable=False),
+)
+"""A change: when, by whom and why. All other rows belong to one."""
+
+
+def _change(*, primary_key: bool = False) -> "Column[int]":
+    return Column("entry", Integer, ForeignKey(entry.c.id), nullable=False, primary_key=primary_key)
+
+
+record = Table(
+    "record",
+    LEDGER,
+    Column("student", String, primary_key=True),
+    Column("sheet", String, primary_key=True),
+    Column("exercise", String, primary_key=True),
+    Column("attempt", Integer, nullable=False),
+    Column("numbers", Text, nullable=False),  # JSON
+    Column("digest", String, nullable=False),  # of the numbers, which nobody else may get
+    _change(),
+    Index("record_digest", "sheet", "exercise", "digest"),
+)
+reference = Table(
+    "reference",
+    LEDGER,
+    _change(primary_key=True),
+    Column("student", String, primary_key=True),
+    Column("sheet", String, primary_key=True),
+    Column("exercise", String, primary_key=True),
+    Column("answers", Text, nullable=False),  # JSON
+    Index("reference_sheet", "sheet", "student"),
+)
+"""What the answers of a record came to: first at the hand-out, then whenever it was accepted."""
+
+submission = Table(
+    "submission",
+    LEDGER,
+    Column("student", String, primary_key=True),
+    Column("sheet", String, primary_key=True),
+    Column("hash", String, primary_key=True),  # of the bytes handed in
+    _change(),
+)
+"""When a submission was seen first."""
+
+grade = Table(
+    "grade",
+    LEDGER,
+    _change(primary_key=True),
+    Column("student", String, nullable=False),
+    Column("sheet", String, nullable=False),
+    Column("submission", String, nullable=False),
+    Column("rules", String, nullable=False),  # a hash of what it was marked by
+    Index("grade_key", "student", "sheet", "submission", "rules"),
+)
+verdict = Table(
+    "verdict",
+    LEDGER,
+    Column("grade", Integer, ForeignKey(grade.c.entry), primary_key=True),
+    Column("place", Integer, primary_key=True, autoincrement=False),  # in the order of the sheet
+    Column("part", String, nullable=False),
+    Column("status", String, nullable=False),
+    Column("points", Float),
+    Column("out_of", Float, nullable=False),
+    Column("reading", Text, nullable=False),
+    Column("mask", Text, nullable=False),  # JSON: which entries are right
+    Column("answer", Text, nullable=False),  # JSON
+)
+finding = Table(
+    "finding",
+    LEDGER,
+    Column("grade", Integer, ForeignKey(grade.c.entry), primary_key=True),
+    Column("place", Integer, primary_key=True, autoincrement=False),  # of the verdict
+    Column("number", Integer, primary_key=True, autoincrement=False),
+    Column("text", Text, nullable=False),
+    Column("private", Boolean, nullable=False),
+)
+counted = Table(
+    "counted",
+    LEDGER,
+    _change(primary_key=True),
+    Column("student", String, nullable=False),
+    Column("sheet", String, nullable=False),
+    Column("grade", Integer, ForeignKey(grade.c.entry), nullable=False),
+    Index("counted_sheet", "sheet", "student"),
+)
+"""Which grade counts from then on."""
+
+level = Table(
+    "level",
+    LEDGER,
+    _change(primary_key=True),
+    Column("level", String, nullable=False),
+)
+"""Behind which walls notebooks are run from then on."""
+
+mark = Table(
+    "mark",
+    LEDGER,
+    _change(primary_key=True),
+    Column("student", String, primary_key=True),
+    Column("sheet", String, primary_key=True),
+    Column("part", String, primary_key=True),
+    Column("points", Float),  # none: a comment alone
+    Column("comment", Text, nullable=False),
+    Column("answer", String, nullable=False),  # a short name of the answer that was read
+    Index("mark_sheet", "sheet", "student"),
+)
+"""What was given by hand."""

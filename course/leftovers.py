@@ -1,0 +1,47 @@
+"""What a killed run left in a course folder, cleared away by the next that has it to itself."""
+
+import os
+from collections.abc import Generator, Iterator
+from contextlib import contextmanager, suppress
+from pathlib import Path
+
+from .files import PART
+
+try:
+    import fcntl
+except ImportError:  # Windows; there, what is left is only a file too many
+    fcntl = None
+
+WRITTEN = ("", "report", "released/*", "solutions/*", "feedback/*")
+"""Where the commands write files; a student's own files lie elsewhere."""
+
+
+@contextmanager
+def cleared(folder: Path) -> Generator[None]:
+    """Clears leftovers away, unless another kinegrade is at work in the folder and may need them.
+
+    The others know of this one until it ends, even if it is killed: the system keeps the lock.
+    """
+    if fcntl is None:
+        yield
+        return
+    handle = os.open(folder, os.O_RDONLY)
+    try:
+        with suppress(OSError):  # another is at work, or the file system knows no locks
+            fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            _clear(folder)
+        with suppress(OSError):
+            fcntl.flock(handle, fcntl.LOCK_SH)
+        yield
+    finally:
+        os.close(handle)
+
+
+def _clear(folder: Path) -> None:
+    for path in _leftovers(folder):
+        path.unlink(missing_ok=True)
+
+
+def _leftovers(folder: Path) -> Iterator[Path]:
+    for place in WRITTEN:
+        yield from folder.glob(f"{place}/{PART}".lstrip("/"))

@@ -1,0 +1,1 @@
+"""Known mistakes as data, and one pipeline that makes all of them at once."""

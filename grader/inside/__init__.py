@@ -1,0 +1,1 @@
+"""What stands in the student's process: the standard library, numpy and sympy, nothing of ours."""

@@ -1,0 +1,87 @@
+"""What cells and calls stopped with, in sentences, and which answers that cost."""
+
+import ast
+import re
+
+from .absent import package_of
+from .alarms import CellTimeout, limited
+from .limits import MAX_SAID
+
+
+class Failures:
+    """What cells stopped with, by the asked names that they should set."""
+
+    def __init__(self, names, seconds):
+        self.names = names
+        self.seconds = seconds
+        self.first = ""
+        self.by_name = {}  # (sentence, absent package) of each
+
+    def add(self, number, source, error):
+        """Keeps the error of a cell; where a name is missing, the first error may be the reason."""
+        said = failure(number, error, self.seconds)
+        if isinstance(error, NameError) and self.first:
+            said += f"; before that, {self.first}"
+        self.first = self.first or said
+
+        touched = assigned_names(source)
+        for name in self.names:
+            if name in touched:
+                self.by_name[name] = (said[:MAX_SAID], package_of(error))
+
+    def forget(self, source):
+        """Drops the errors of what a cell has now set."""
+        for name in assigned_names(source):
+            self.by_name.pop(name, None)
+
+
+def failed(why, package=""):
+    """The value of a variable that has none; `package` is one that is not installed here."""
+    value = {"k": "error", "v": why}
+    if package:
+        value["absent"] = package
+    return value
+
+
+def failure(number, error, seconds):
+    """What a cell stopped with, in a sentence."""
+    if isinstance(error, SyntaxError):
+        return f"cell {number} is not Python: {error.msg} (line {error.lineno})"
+    return f"cell {number} {stopped(error, seconds)}"
+
+
+def stopped(error, seconds):
+    """What a cell or a call stopped with, as the end of a sentence."""
+    if isinstance(error, CellTimeout):
+        return f"ran longer than {seconds:.2g} s and was stopped"
+    if isinstance(error, MemoryError):
+        return "needed more memory than there is for a notebook"
+    text, _ = limited(0.2, _message_of, error)  # a student's own error may do anything here
+    return f"stopped with {kind_of(error)}: {text or ''}"
+
+
+def _message_of(error):
+    return str(error)[:200]
+
+
+def kind_of(error):
+    """The name of an error's class."""
+    return type(error).__name__[:80]
+
+
+def assigned_names(source):
+    """Names that a cell would set; where it is not Python, every name before an equals sign."""
+    try:
+        nodes = list(ast.walk(ast.parse(source)))
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        assigned = re.findall(r"(\w+)[^=\w\n]*=(?!=)", source)
+        defined = re.findall(r"def\s+(\w+)", source)
+        return {*assigned, *defined}
+
+    names = set()
+    for node in nodes:
+        if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
+            names.add(node.id)
+        elif isinstance(node, (ast.FunctionDef, ast.ClassDef)):
+            names.add(node.name)
+    return names

@@ -1,0 +1,1 @@
+"""Where notebooks run: walls around a process that starts one process a notebook."""

@@ -1,0 +1,139 @@
+"""Zygotes for as many notebooks at a time as there are threads that ask, kept until the end."""
+
+import sys
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
+from functools import cache
+from queue import Empty, SimpleQueue
+from types import TracebackType
+from typing import Self
+
+from .bubblewrap import NoBubblewrapError
+from .level import ON_LINUX, JailError, Level, Permission
+from .packages import compiled
+from .syscalls import NoFilterError
+from .zygote import End, LostError, Order, Zygote
+
+FOR_MANY = ("numpy", "sympy", "IPython.core.inputtransformer2", "matplotlib.pyplot")
+FOR_ONE = ("numpy",)  # loading what one notebook may not need takes longer than it saves
+
+
+class Jail:
+    """Runs notebooks at one level; a context manager, for several threads at once."""
+
+    def __init__(
+        self,
+        permission: Permission | None = None,
+        packages: Sequence[str] = (),
+        *,
+        level: Level | None = None,
+        preload: Sequence[str] = FOR_MANY,
+    ) -> None:
+        """Takes the best permitted level when the first notebook comes, or a given one.
+
+        `packages` can be imported besides the usual ones; those of `preload` are imported once for
+        all notebooks.
+        """
+        self.permission = permission or Permission()
+        self._level = level
+        self._packages = tuple(packages)
+        self._preload = tuple(preload)
+        self._idle: SimpleQueue[Zygote] = SimpleQueue()
+        # A zygote dies with the thread that started it, so that is one that lasts.
+        self._starter = ThreadPoolExecutor(max_workers=1)
+
+    @property
+    def level(self) -> Level:
+        """The level of all its notebooks.
+
+        Raises:
+            JailError: none that is permitted works here; it names the way out.
+        """
+        if self._level is None:
+            self._level = best_level(self.permission)
+        return self._level
+
+    def run(self, order: Order) -> End | None:
+        """How a notebook ended; None where it was stopped from outside.
+
+        Raises:
+            JailError: no process for it can be started.
+        """
+        zygote = self._taken()
+        try:
+            return zygote.run(order)
+        except LostError:
+            return None
+        finally:
+            if zygote.alive:
+                self._idle.put(zygote)
+
+    def _taken(self) -> Zygote:
+        try:
+            return self._idle.get_nowait()
+        except Empty:
+            compiled(self._preload)
+            start = self._starter.submit(Zygote, self.level, self._packages, self._preload)
+            return start.result()
+
+    def close(self) -> None:
+        """Ends all zygotes; the next notebook starts new ones."""
+        with suppress(Empty):
+            while True:
+                self._idle.get_nowait().close()
+        self._starter.shutdown()
+        self._starter = ThreadPoolExecutor(max_workers=1)
+
+    def __enter__(self) -> Self:
+        """Itself."""
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        """Ends all zygotes."""
+        self.close()
+
+
+def best_level(permission: Permission) -> Level:
+    """The best of the permitted levels that works here.
+
+    Raises:
+        JailError: none does; it says why, and how notebooks can run all the same.
+    """
+    if not on_linux():
+        raise JailError(f"{ON_LINUX}; .json, .csv and .mat anywhere")
+    reasons: list[str] = []
+    for level in permission.levels():
+        why = missing(level)
+        if not why:
+            return level
+        reasons.append(f"level {level} is not to be had: {why}")
+    raise JailError("; ".join([*reasons, _way_out(permission)]))
+
+
+def on_linux() -> bool:
+    """Whether this is Linux."""
+    return sys.platform == "linux"
+
+
+@cache
+def missing(level: Level) -> str:
+    """Why a level does not work on this machine, tried out; empty where it does."""
+    try:
+        Zygote(level, (), ()).close()
+    except (JailError, NoFilterError, NoBubblewrapError, OSError) as error:
+        return str(error)
+    return ""
+
+
+def _way_out(permission: Permission) -> str:
+    ways = ["install bubblewrap and libseccomp2 (apt install bubblewrap libseccomp2)"]
+    if not permission.accept_medium and not missing(Level.MEDIUM):
+        ways.append("or accept less with --accept-medium (docs/security.md says how much less)")
+    ways.append("or mark in a virtual machine of its own and say so with --unsafe")
+    return ", ".join(ways)
