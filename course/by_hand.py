@@ -12,6 +12,7 @@ from .escape import printable_lines
 from .gradebook import Gradebook, Mark
 from .sheets import exercises_of
 from .variant import digest
+from .variant_code import read_code, variant_codes
 
 
 @dataclass(frozen=True)
@@ -25,6 +26,7 @@ class ByHand:
     key: str
     mark: Mark | None
     missing: bool
+    code: str = ""
 
     @property
     def answer_id(self) -> str:
@@ -68,8 +70,10 @@ def _of_sheet(course: Course, gradebook: Gradebook, sheet: Sheet) -> Iterator[By
     current = gradebook.current(sheet.name)
     marks = gradebook.marks(sheet.name)
     numbers: dict[tuple[str, str], dict[str, Any]] = {}
-    for record in gradebook.records(sheet.name):
+    records = gradebook.records(sheet.name)
+    for record in records:
         numbers[record.student, record.exercise] = record.numbers
+    codes = variant_codes(records)
 
     for exercise in exercises_of(course, sheet):
         for part in exercise.asked:
@@ -88,6 +92,7 @@ def _of_sheet(course: Course, gradebook: Gradebook, sheet: Sheet) -> Iterator[By
                     key=str(references(exercise, drawn)[part.variable]),
                     mark=marks.get((student.id, part.variable)),
                     missing=verdict.status == "missing",
+                    code=codes[student.id],
                 )
 
 
@@ -101,13 +106,16 @@ def _verdict_on(part: Part, verdicts: Sequence[Verdict]) -> Verdict | None:
 def the_one(found: Sequence[ByHand], student: str, part: str, sheet: str = "") -> ByHand:
     """The answer of a student to a part, on the sheet if one is named.
 
+    The code of the variant, as it stands on the pages, may stand for the student.
+
     Raises:
         CourseError: there is none, or it is on several sheets and none is named.
     """
+    code = read_code(student)
     these: list[ByHand] = []
     for one in found:
-        named = (one.student, one.part.variable) == (student, part)
-        if named and sheet in ("", one.sheet):
+        named = one.student == student or (code and one.code == code)
+        if named and one.part.variable == part and sheet in ("", one.sheet):
             these.append(one)
     if len(these) == 1:
         return these[0]

@@ -28,6 +28,8 @@ __all__ = [
 ]
 
 Mode = Literal["practice", "graded", "exam"]
+Format = Literal["ipynb", "pdf"]
+"""What a sheet and its worked solution are written as."""
 SCRIPT_NAME = re.compile(r"[A-Za-z]\w{0,62}", re.ASCII)
 MATLAB_WORD = re.compile(
     "break|case|catch|classdef|continue|else|elseif|end|for|function|global|if|"
@@ -95,6 +97,7 @@ class Settings(_Strict):
     # Of older courses; the secret has a file of its own.
     secret: Annotated[str, Field(min_length=16, max_length=1000)] | None = None
     sheet: Annotated[tuple[Sheet, ...], Field(min_length=1, max_length=200)]
+    formats: Annotated[tuple[Format, ...], Field(min_length=1, max_length=2)] = ("ipynb",)
     limits: LimitsTable = LimitsTable()
     marking: MarkingTable = MarkingTable()
     gradebook: GradebookTable = GradebookTable()

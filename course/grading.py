@@ -28,7 +28,7 @@ from .results import UNSAFE_STAMP, Result, recorded_results
 from .rules import rules_hash
 from .same_numbers import marked_for_it, same_numbers
 from .sheet.submissions import NOTEBOOK, Submission, find_submission, misnamed, passed_over
-from .sheets import asked_parts, exercises_of
+from .sheets import asked_parts, drop_solutions, exercises_of
 from .variant import Record, canonical, digest
 
 __all__ = ["Result", "SheetMarker", "recorded_results"]
@@ -97,13 +97,23 @@ class SheetMarker:
         self._hashes = [rules_hash(files[slug]) for slug in sheet.exercises]
         self._marks = gradebook.marks(sheet.name)
         self._handed_out = HandedOut(
-            gradebook, sheet.name, self.exercises, accept_change=accept_change
+            gradebook,
+            sheet.name,
+            self.exercises,
+            accept_change=accept_change,
+            before_accepting=lambda student: drop_solutions(course, sheet, student),
         )
         self._damaged = gradebook.damaged(sheet.name)
         self._refuse_a_lost_gradebook()
 
+    @property
+    def accepted(self) -> frozenset[str]:
+        """Students whose answers changed since the hand-out, which was accepted just now."""
+        return self._handed_out.accepted
+
     def _refuse_a_lost_gradebook(self) -> None:
-        released = self.course.folder.glob(f"released/*/{self.sheet.name}.ipynb")
+        suffix = self.course.settings.formats[0]
+        released = self.course.folder.glob(f"released/*/{self.sheet.name}.{suffix}")
         if self._handed_out.nothing and not self._damaged and any(released):
             raise CourseError(
                 f"{self.gradebook.place} knows nothing of sheet "

@@ -1,7 +1,7 @@
 """What was handed out of a sheet, as the gradebook has it, and which answers moved since."""
 
 import logging
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -23,14 +23,18 @@ class HandedOut:
         exercises: Sequence[Exercise],
         *,
         accept_change: bool = False,
+        before_accepting: Callable[[str], None] = lambda _: None,
     ) -> None:
         """Reads the records; with `accept_change`, moved answers become the recorded ones.
+
+        `before_accepting` gets the student whose answers are going to be replaced.
 
         Raises:
             CourseError: a change cannot be accepted, as the exercise fails on recorded numbers.
         """
         self._records: dict[str, dict[str, Record]] = {}
         self._moved: dict[str, set[str]] = {}
+        self._accepted: set[str] = set()
         known = {exercise.slug: exercise for exercise in exercises}
 
         for recorded in gradebook.records(sheet):
@@ -40,7 +44,9 @@ class HandedOut:
             record = recorded
             moved = _moved(record, exercise)
             if moved and accept_change:
+                before_accepting(record.student)
                 record = _accepted(record, exercise, gradebook)
+                self._accepted.add(record.student)
                 moved = []
             self._records.setdefault(record.student, {})[record.exercise] = record
             self._moved.setdefault(record.student, set()).update(moved)
@@ -49,6 +55,11 @@ class HandedOut:
     def nothing(self) -> bool:
         """Whether the gradebook knows of no student's sheet."""
         return not self._records
+
+    @property
+    def accepted(self) -> frozenset[str]:
+        """Students whose recorded answers were replaced by those of today."""
+        return frozenset(self._accepted)
 
     def records(self, student: str) -> dict[str, Record]:
         """A student's records by exercise; none where no sheet was drawn."""

@@ -1,4 +1,4 @@
-"""HTML of the Markdown that our own sheets hold, with formulas as MathML."""
+"""The Markdown that our own sheets hold: its formulas taken out, and HTML of it with MathML."""
 
 import re
 from functools import lru_cache
@@ -9,6 +9,8 @@ from .formulas import mathml
 FORMULA = re.compile(r"\$\$(.+?)\$\$|\$([^$]+)\$", re.DOTALL)
 CODE = re.compile(r"(`[^`]*`)")
 OPEN, CLOSE = "\ue000", "\ue001"  # private characters around the number of a formula
+PLACE = re.compile(f"{OPEN}([0-9]+){CLOSE}")
+"""Where a formula was taken out, with its number."""
 
 
 def markdown_html(text: str) -> str:
@@ -16,14 +18,24 @@ def markdown_html(text: str) -> str:
 
     The text is an exercise's or our own, never a student's: its markup is kept.
     """
-    formulas: list[str] = []
+    plain, formulas = without_formulas(text)
+    shown = [mathml(latex, display=display) for latex, display in formulas]
+    html = renderer().render(plain)
+    return PLACE.sub(lambda match: shown[int(match[1])], html)
+
+
+def without_formulas(text: str) -> tuple[str, list[tuple[str, str]]]:
+    """Markdown with places for its formulas, out of the hands of who would see markup in them.
+
+    Each formula is LaTeX and "block" or "inline".
+    """
+    formulas: list[tuple[str, str]] = []
 
     def taken(match: re.Match[str]) -> str:
-        """Keeps a formula out of the renderer's hands, which would see markup in it."""
         if match[1] is not None:
-            formulas.append(mathml(match[1], display="block"))
+            formulas.append((match[1], "block"))
         else:
-            formulas.append(mathml(match[2], display="inline"))
+            formulas.append((match[2], "inline"))
         return f"{OPEN}{len(formulas) - 1}{CLOSE}"
 
     pieces: list[str] = []
@@ -32,12 +44,12 @@ def markdown_html(text: str) -> str:
             pieces.append(piece)
         else:
             pieces.append(FORMULA.sub(taken, piece))
-    html = _renderer().render("".join(pieces))
-    return re.sub(f"{OPEN}([0-9]+){CLOSE}", lambda match: formulas[int(match[1])], html)
+    return "".join(pieces), formulas
 
 
 @lru_cache(maxsize=1)
-def _renderer() -> Any:
+def renderer() -> Any:
+    """CommonMark with tables and our own HTML."""
     from markdown_it import MarkdownIt
 
     return MarkdownIt("commonmark", {"html": True}).enable("table")

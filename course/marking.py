@@ -20,7 +20,7 @@ from .grades import SheetResults, grades_csv
 from .grading import Result, SheetMarker, recorded_results
 from .report import write_report
 from .sheet.submissions import strangers
-from .sheets import exercises_of
+from .sheets import exercises_of, renew_solutions
 from .tables import legend, terminal_table
 
 Marked = list[tuple[Sheet, list[Result]]]
@@ -79,9 +79,23 @@ def marked_sheets(
             marker = SheetMarker(
                 course, gradebook, sheet, jail=jail, accept_change=accept_change, again=again
             )
+            _renew_solutions(course, gradebook, sheet, marker.accepted)
             marked.append((sheet, marker.results(step)))
             _say_absent(sheet, marker.absent)
     return marked
+
+
+def _renew_solutions(
+    course: Course, gradebook: Gradebook, sheet: Sheet, students: Collection[str]
+) -> None:
+    """Brings worked solutions up to the answers that were accepted, and says so."""
+    if not students:
+        return
+    renewed = renew_solutions(course, gradebook, sheet, students)
+    say(
+        f"Sheet {sheet.name}: answers of {len(students)} students changed, which was accepted; "
+        f"{renewed} worked solutions were written again. Hand them out again, too."
+    )
 
 
 def _say_absent(sheet: Sheet, absent: Mapping[str, Collection[str]]) -> None:

@@ -29,7 +29,7 @@ __all__ = [
 ]
 COLUMNS: tuple[str, ...] = (
     "student", "sheet", "part", "points", "out_of",
-    "comment", "answer", "key", "rubric", "answer_id",
+    "comment", "answer", "key", "rubric", "answer_id", "code",
 )  # fmt: skip
 NEEDED = (
     "student",
@@ -131,6 +131,7 @@ def _row(one: ByHand) -> dict[str, str]:
         "key": for_spreadsheet(one.key),
         "rubric": for_spreadsheet("; ".join(rubric)),
         "answer_id": f"{ID}{one.answer_id}",
+        "code": one.code,
     }
 
 

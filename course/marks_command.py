@@ -28,7 +28,9 @@ def list_marks(
 
 @marks.command("set")
 def set_mark(
-    student: Annotated[str, typer.Argument(help="An id of roster.csv.")],
+    student: Annotated[
+        str, typer.Argument(help="An id of roster.csv, or the code on the pages of a PDF.")
+    ],
     part: Annotated[str, typer.Argument(help="The variable of the part.")],
     points: Annotated[float, typer.Argument(help="Points, up to those of the part.")],
     comment: Annotated[str, typer.Option("--comment", help="A sentence for the student.")] = "",

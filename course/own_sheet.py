@@ -8,6 +8,7 @@ from typing import Any
 
 from ..exercises.exercise import Exercise
 from .markdown import markdown_html
+from .sheet.assignment import Assignment
 from .sheet.question import question_text
 
 PICTURE = re.compile(r"data:image/[a-z+]+;base64,[A-Za-z0-9+/=]+")
@@ -31,7 +32,7 @@ def own_questions(
         start = f"## {number}. {exercise.title} ("
         found = [text for text in texts if text.startswith(start)]
         if not found:
-            found = [question_text(number, exercise, numbers[exercise.slug])]
+            found = [question_text(number, Assignment(exercise, numbers[exercise.slug]))]
         questions[exercise.slug] = _html(found[0])
     return questions
 

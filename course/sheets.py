@@ -1,23 +1,23 @@
 """Handing out: what is not drawn yet is drawn, what is released is never touched again."""
 
 from collections import defaultdict
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 
 from ..exercises.exercise import Exercise, Part
 from ..exercises.files.finding import exercise_files, find
 from .check import read_handout
-from .config import Course, CourseError, Sheet, Student, hint
+from .config import Course, CourseError, Format, Sheet, Student, hint
 from .console import say
-from .files import write_atomically
 from .gradebook import Gradebook, OvertakenError
+from .release import Order, write_all, write_solutions
 from .secret import read_secret
-from .sheet.matlab import starter
-from .sheet.notebook import notebooks, printed
+from .sheet.given import printed
 from .variant import Record, canonical, draw_record
+from .variant_code import variant_code
 
 
 @dataclass(frozen=True)
@@ -88,7 +88,7 @@ def generate(
     sheets: tuple[Sheet, ...],
     step: Callable[[], None] = lambda: None,
 ) -> list[Released]:
-    """A notebook, a solution and, where asked, a MATLAB script for every student on every sheet.
+    """A sheet, a worked solution and, where asked, a MATLAB script for every student.
 
     `step` is called after each. A student whose records are damaged is named and left out.
     """
@@ -97,15 +97,71 @@ def generate(
     for sheet in sheets:
         exercises = exercises_of(course, sheet)
         draws = _Draws(secret, sheet, exercises, gradebook)
-        for student in course.students:
-            damage = draws.damaged.get(student.id)
-            if damage is not None:
-                say(f"{student.id}, sheet {sheet.name}: {damage}")
-            else:
-                records = _recorded(draws, student, _released(course, sheet, student))
-                done.append(_release(course, sheet, student, exercises, records))
+        new = [student for student in course.students if _is_new(course, sheet, student)]
+        for _ in write_all(_orders(course, sheet, draws, step), exercises, expected=len(new)):
             step()
+        for student in course.students:
+            if student.id not in draws.damaged:
+                path = _released(course, sheet, student)
+                done.append(Released(student.id, sheet.name, path, new=student in new))
     return done
+
+
+def _orders(
+    course: Course, sheet: Sheet, draws: "_Draws", step: Callable[[], None]
+) -> Iterator[Order]:
+    """What is to be written for every student, whose numbers are recorded before that."""
+    for student in course.students:
+        damage = draws.damaged.get(student.id)
+        if damage is not None:
+            say(f"{student.id}, sheet {sheet.name}: {damage}")
+            step()
+            continue
+        records = _recorded(draws, student, _released(course, sheet, student, "ipynb"))
+        yield _order(course, sheet, student, records, draws.all_of(student))
+
+
+def renew_solutions(
+    course: Course, gradebook: Gradebook, sheet: Sheet, students: Collection[str]
+) -> int:
+    """Writes the worked solutions of these students again; how many students that were."""
+    exercises = exercises_of(course, sheet)
+    draws = _Draws(lambda: "", sheet, exercises, gradebook)
+    renewed = 0
+    for student in course.students:
+        if student.id not in students or student.id in draws.damaged:
+            continue
+        order = _order(course, sheet, student, draws.of(student), draws.all_of(student))
+        write_solutions(order, exercises)
+        renewed += 1
+    return renewed
+
+
+def drop_solutions(course: Course, sheet: Sheet, student: str) -> None:
+    """Removes the worked solutions of a student's sheet, which are no longer right."""
+    for suffix in get_args(Format):
+        path = course.folder / "solutions" / student / f"{sheet.name}.{suffix}"
+        path.unlink(missing_ok=True)
+
+
+def _order(
+    course: Course,
+    sheet: Sheet,
+    student: Student,
+    records: Sequence[Record],
+    recorded: Sequence[Record],
+) -> Order:
+    return Order(
+        course.folder,
+        course.settings.title,
+        course.settings.formats,
+        sheet,
+        student,
+        tuple(record.numbers for record in records),
+        variant_code(recorded),
+        course.settings.limits,
+        course.settings.packages,
+    )
 
 
 def _recorded(draws: "_Draws", student: Student, path: Path) -> list[Record]:
@@ -156,6 +212,10 @@ class _Draws:
         """A student's records in the order of the exercises."""
         return [self._records[student.id, exercise.slug] for exercise in self.exercises]
 
+    def all_of(self, student: Student) -> list[Record]:
+        """A student's records, also of exercises that are no longer on the sheet."""
+        return [record for (owner, _), record in self._records.items() if owner == student.id]
+
     def complete(self, student: Student) -> list[Record]:
         """Draws what was not drawn for the student before, and returns that."""
         fresh: list[Record] = []
@@ -191,33 +251,13 @@ def _agree(path: Path, exercises: list[Exercise], records: list[Record]) -> None
         )
 
 
-def _released(course: Course, sheet: Sheet, student: Student) -> Path:
-    return course.folder / "released" / student.id / f"{sheet.name}.ipynb"
+def _released(course: Course, sheet: Sheet, student: Student, suffix: str = "") -> Path:
+    """The student's file, in the first format where none is named."""
+    suffix = suffix or course.settings.formats[0]
+    return course.folder / "released" / student.id / f"{sheet.name}.{suffix}"
 
 
-def _release(
-    course: Course, sheet: Sheet, student: Student, exercises: list[Exercise], records: list[Record]
-) -> Released:
-    path = _released(course, sheet, student)
-    new = not path.exists()
-    numbers = [record.numbers for record in records]
-    pairs = list(zip(exercises, numbers, strict=True))
-
-    script = path.with_name(f"{sheet.name}.m")
-    if sheet.matlab and not script.exists():
-        write_atomically(script, starter(course.settings.title, sheet, student, pairs))
-
-    solution = course.folder / "solutions" / student.id / f"{sheet.name}.ipynb"
-    if new or not solution.exists():
-        handout, worked = notebooks(
-            course.settings.title,
-            sheet,
-            student,
-            pairs,
-            course.settings.limits,
-            course.settings.packages,
-        )
-        write_atomically(solution, worked)
-        if new:  # last: what is released was released in full
-            write_atomically(path, handout)
-    return Released(student.id, sheet.name, path, new)
+def _is_new(course: Course, sheet: Sheet, student: Student) -> bool:
+    """Whether a file is missing that students get."""
+    formats = course.settings.formats
+    return not all(_released(course, sheet, student, suffix).exists() for suffix in formats)

@@ -168,7 +168,8 @@ class Exercise:
     sheet says of it and what findings say follow it; `solve` and the units of an answer stand in
     that order themselves. `factors(v)` are values of the factors of the robot's determinant at the
     drawn q. `harder` gives, by names in `structure`, the choices that take more work than the
-    others, for the instructor to know.
+    others, for the instructor to know. `solved_drawings` are the figures that only
+    the worked solution shows.
     """
 
     slug: str
@@ -191,6 +192,7 @@ class Exercise:
     named: tuple[str, ...] = ()
     factors: Callable[[Variant], ArrayLike] | None = None
     harder: Mapping[str, Sequence[Any]] = field(default_factory=dict[str, Sequence[Any]])
+    solved_drawings: Callable[[Variant], tuple[Drawing, ...]] = field(default=lambda _: ())
 
     def __post_init__(self) -> None:
         """Refuse what could not be collected, marked or printed.

@@ -47,7 +47,7 @@ from .arm import Arm, Array, arm_of, units_of
 from .contract.introduction import home_and_now, off_the_drawing
 from .contract.names import Function, Names
 from .contract.question import Question, Wrong, put_on_sheet
-from .contract.statement import drawings_of, scale_of, statement_of
+from .contract.statement import drawings_of, scale_of, statement_of, with_frames
 from .exercise import Exercise, ExerciseError, Part, Rows
 
 RobotOf = Robot | Callable[..., Robot]
@@ -167,6 +167,7 @@ def exercise(
     if robot_map is None:
         robot_map = _name_in_catalogue(robot)
 
+    figures = drawings_of(names, drawings, standard=statement is None)
     return Exercise(
         slug=slug,
         title=title,
@@ -178,7 +179,8 @@ def exercise(
         scale=scale_of(names, scale),
         hidden=hidden,
         structure=structure,
-        drawings=drawings_of(names, drawings, standard=statement is None),
+        drawings=figures,
+        solved_drawings=with_frames(names, figures),
         arm=names.arm,
         rows=rows,
         named=(*own_units, *unprinted),

@@ -4,6 +4,7 @@ import json
 import re
 import struct
 import xml.etree.ElementTree as ET
+from base64 import b64decode
 from collections.abc import Sequence
 from functools import cache
 from itertools import combinations
@@ -350,7 +351,12 @@ def test_the_png_has_the_width_asked_for_and_the_same_bytes_twice(width: int) ->
     assert wide == width
     assert high == pytest.approx(width * number(root_of(svg), "height") / 420, abs=1)
     assert image == png(svg, width)
-    assert data_uri(image).startswith("data:image/png;base64,iVBOR")
+
+
+def test_a_drawing_in_a_page_is_an_svg_on_white() -> None:
+    kind, _, data = data_uri(picture("home")).partition(",")
+    assert kind == "data:image/svg+xml;base64"
+    assert root_of(b64decode(data).decode()).get("style") == "background:#fff"
 
 
 def test_a_png_without_width_is_refused_with_a_sentence() -> None:

@@ -33,7 +33,11 @@ def roster(tmp_path, text):
     [
         (
             "titel = 1\n" + GOOD,
-            ["unknown key 'titel'", "did you mean 'title'?", "title, secret, sheet, limits"],
+            [
+                "unknown key 'titel'",
+                "did you mean 'title'?",
+                "title, secret, sheet, formats, limits",
+            ],
         ),
         (
             GOOD.replace("[[sheet]]", "[[sheets]]"),

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from answers import EXERCISES, part_of, right_raws, variant_of
-from kinegrade.course.sheet.notebook import worked_steps
+from kinegrade.course.sheet.worked import worked_steps
 from kinegrade.exercises.calculations.own_formulas import (
     EasierError,
     closed_determinant,

@@ -11,7 +11,17 @@ from threading import Event
 
 import numpy as np
 import pytest
-from courses import CLASS, LEVER, enrol, hand_in, handed_out, make_course, notebook, right_answers
+from courses import (
+    CLASS,
+    LEVER,
+    enrol,
+    files_of,
+    hand_in,
+    handed_out,
+    make_course,
+    notebook,
+    right_answers,
+)
 from kinegrade.course import grading
 from kinegrade.course.config import CourseError, read_course
 from kinegrade.course.gradebook import Gradebook
@@ -365,6 +375,32 @@ def test_a_change_in_what_marking_imports_makes_marks_stale(folder, monkeypatch)
         )
         assert graded(folder) == before
         assert len(marked) == times, name
+
+
+def test_accepting_a_change_writes_the_worked_solutions_again(folder, kinegrade):
+    solutions = folder / "solutions"
+    before = files_of(solutions)
+    released = files_of(folder / "released")
+    edit(folder, "np.array([-y, x])", "np.array([y, x])")
+    assert "written again" not in kinegrade("grade", "--course", folder).err
+    assert files_of(solutions) == before
+    ran = kinegrade("grade", "--course", folder, "--accept-change")
+    assert "answers of 3 students changed" in ran.err
+    assert "3 worked solutions were written again" in ran.err
+    after = files_of(solutions)
+    assert set(after) == set(before)
+    assert all(after[path] != before[path] for path in before)
+    assert files_of(folder / "released") == released
+    assert "written again" not in kinegrade("grade", "--course", folder, "--accept-change").err
+
+
+def test_no_worked_solution_is_left_that_contradicts_an_accepted_answer(folder):
+    """Killed after the change was accepted, before the solutions were written: they are not there."""
+    edit(folder, "np.array([-y, x])", "np.array([y, x])")
+    graded(folder, accept_change=True)
+    assert files_of(folder / "solutions") == {}
+    handed_out(folder)
+    assert len(files_of(folder / "solutions")) == 3
 
 
 def test_an_exercise_that_needs_numbers_it_did_not_draw_waits_and_cannot_be_accepted(

@@ -7,6 +7,7 @@ import pytest
 from answers import raws_of, right_raws
 from kinegrade.course.config import Sheet, Student
 from kinegrade.course.drawn import drawn
+from kinegrade.course.sheet.assignment import Assignment
 from kinegrade.course.sheet.matlab import starter
 from kinegrade.course.sheet.notebook import notebooks
 from kinegrade.exercises.answers import Manual
@@ -120,9 +121,9 @@ def test_space_and_body_jacobian_have_the_angular_rows_on_top():
     assert linear_first.points == 0.75 * linear_first.out_of
     assert "angular" in linear_first.findings[0].text
     sheet = Sheet(name="one", exercises=("screw_jacobian",))
-    handout, _ = notebooks("Course", sheet, STUDENT, [(exercise, v)])
+    handout, _ = notebooks("Course", sheet, STUDENT, [Assignment(exercise, v)])
     assert "the angular rows stand above the linear ones" in handout.decode()
-    script = starter("Course", sheet, STUDENT, [(exercise, v)])
+    script = starter("Course", sheet, STUDENT, [Assignment(exercise, v)])
     assert "angular rows above linear" in script
     assert "linear rows above angular" not in handout.decode() + script
 

@@ -7,6 +7,7 @@ import pytest
 from courses import exercise_of, sheet
 from kinegrade.course.config import Student
 from kinegrade.course.proof.validate import validate_file
+from kinegrade.course.sheet.assignment import Assignment
 from kinegrade.course.sheet.notebook import notebooks
 from kinegrade.course.variant import fingerprint
 from kinegrade.exercises.exercise import Part, TableOf, references
@@ -142,7 +143,10 @@ def test_a_known_mistake_in_a_table_of_rows_is_named(newton):
 def test_rows_in_order_are_not_said_to_cost_one_another(newton):
     exercise = load(newton)
     written, _ = notebooks(
-        "Tests", sheet("graded", ("newton",)), Student("ada", "Ada"), [(exercise, drawn(exercise))]
+        "Tests",
+        sheet("graded", ("newton",)),
+        Student("ada", "Ada"),
+        [Assignment(exercise, drawn(exercise))],
     )
     assert "Give 5 decimals, row after row in their order." in written.decode()
     assert "A wrong one costs a right one" not in written.decode()

@@ -106,6 +106,32 @@ def test_marks_go_out_and_come_back_in_a_file(course, kinegrade, tmp_path):
     assert (found["ada"][1:], found["ben"][1:]) == (("9", "2", "2"), ("7", "1", "1"))
 
 
+def test_the_code_on_the_pages_stands_for_the_student(course, kinegrade, tmp_path):
+    path = tmp_path / "marks.csv"
+    kinegrade("marks", "write", path, "--course", course.folder)
+    rows = [*csv.DictReader(path.read_text(encoding="utf-8").splitlines())]
+    codes = {row["student"]: row["code"] for row in rows}
+    assert len(set(codes.values())) == len(codes) == 2
+
+    typed = codes["ada"].lower().replace("-", " ")
+    ran = kinegrade("marks", "set", typed, "lever_why", 3, "--course", course.folder)
+    assert ran.code == 0
+    for row in rows:
+        row["student"] = row["code"]
+        row["points"] = "1" if row["part"] == "lever_sketch" else ""
+    write(path, rows)
+    assert "2 marks entered" in kinegrade("marks", "read", path, "--course", course.folder).err
+    found = points_of(course, kinegrade)
+    assert found["ada"][2:] == ("3", "1")
+    assert found["ben"][3] == "1"
+
+
+def test_a_code_of_nobody_is_refused(course, kinegrade):
+    ran = kinegrade("marks", "set", "0000-0000", "lever_why", 3, "--course", course.folder)
+    assert ran.code == 1
+    assert "0000-0000, lever_why: there is no such answer" in ran.err
+
+
 def write(path, rows, delimiter=","):
     with path.open("w", encoding="utf-8", newline="") as out:
         writer = csv.DictWriter(out, rows[0].keys(), delimiter=delimiter)

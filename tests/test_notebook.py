@@ -14,7 +14,9 @@ from answers import EXERCISES, flat, telling, variant_of
 from courses import BUNDLED, exercise_of, lever, sheet
 from kinegrade.course.config import Student
 from kinegrade.course.demo import fill_in
-from kinegrade.course.sheet.notebook import given_cell, notebooks, printed
+from kinegrade.course.sheet.assignment import Assignment
+from kinegrade.course.sheet.given import given_cell, printed
+from kinegrade.course.sheet.notebook import notebooks
 from kinegrade.course.sheet.self_check import self_check
 from kinegrade.course.sheet.submissions import Submission
 from kinegrade.exercises.exercise import Choice, Manual, Part, references
@@ -40,13 +42,13 @@ NASTY = (
 
 
 def both(exercises, mode="graded", student=ADA, seed=0):
-    pairs = [(exercise, variant_of(exercise.slug, seed)) for exercise in exercises]
+    pairs = [Assignment(exercise, variant_of(exercise.slug, seed)) for exercise in exercises]
     return notebooks("Tests", sheet(mode, tuple(e.slug for e in exercises)), student, pairs)
 
 
 def quick(tmp_path, **options):
     """Both notebooks of the exercise without figures."""
-    pairs = [(lever(tmp_path), {"L": 0.75, "q": [0.3]})]
+    pairs = [Assignment(lever(tmp_path), {"L": 0.75, "q": [0.3]})]
     return notebooks(
         "Tests",
         sheet(options.get("mode", "graded"), ("lever",)),
@@ -146,9 +148,24 @@ def test_the_worked_solution_earns_full_marks(exercise):
 
 def test_a_worked_solution_is_marked_as_one_and_has_no_numbers_for_a_check(exercise):
     handout, solution = both([exercise])
-    assert "**Worked solution, for the instructor.**" in sources(solution, "markdown")[0]
+    assert ": worked solution\n" in sources(solution, "markdown")[0]
     assert "solution" not in sources(handout, "markdown")[0]
     assert "numbers" not in json.loads(solution)["metadata"]["kinegrade"]
+
+
+def test_a_worked_solution_can_be_handed_out(exercise):
+    """It says nothing of handing it in or of the instructor, has the numbers, and cites no course that it does not name."""
+    _, solution = both([exercise])
+    told = "\n".join(sources(solution, "markdown"))
+    assert re.search(r"Replace each|instructor|At the end|\bS[0-4][ ,]", told) is None
+    assert given_cell(exercise, variant_of(exercise.slug)) in sources(solution)
+
+
+def test_a_worked_solution_shows_the_frames_that_the_sheet_asks_for():
+    handout, solution = both([EXERCISES["rrt"]])
+    assert handout.count(b"<img ") == 2
+    assert solution.count(b"<img ") == 3
+    assert b"*The arm with its frames.*" in solution
 
 
 def secrets_of(exercise, v):
@@ -233,7 +250,9 @@ def test_what_is_marked_by_hand_says_so_and_the_solution_has_its_rubric(on_paper
         lambda *_: "The key.",
     )
     exercise = exercise_of(part)
-    handout, solution = notebooks("Tests", sheet(exercises=("t",)), ADA, [(exercise, {"x": 0.5})])
+    handout, solution = notebooks(
+        "Tests", sheet(exercises=("t",)), ADA, [Assignment(exercise, {"x": 0.5})]
+    )
     assert any(
         text.startswith("**`t_why`** (3 points): Why.") and words in text
         for text in sources(handout, "markdown")
@@ -333,5 +352,6 @@ def test_figures_are_inside_the_notebook_with_alternative_text():
     images = re.findall(r"<img [^>]*>", "\n".join(sources(handout, "markdown")))
     assert images
     assert all(
-        re.search(r'src="data:image/png;base64,[^"]+" alt="[^"]{20,}"', image) for image in images
+        re.search(r'src="data:image/svg\+xml;base64,[^"]+" alt="[^"]{20,}"', image)
+        for image in images
     )

@@ -7,6 +7,7 @@ import pytest
 from courses import exercise_of
 from kinegrade.course.config import Sheet, Student
 from kinegrade.course.proof.validate import validate_file
+from kinegrade.course.sheet.assignment import Assignment
 from kinegrade.course.sheet.matlab import starter
 from kinegrade.course.sheet.notebook import notebooks
 from kinegrade.exercises.exercise import Formulas, Numbers, Part
@@ -59,7 +60,7 @@ def variant(seed=1):
 
 def markdown(*exercises):
     """Texts of a sheet of these exercises."""
-    pairs = [(exercise, variant()) for exercise in exercises]
+    pairs = [Assignment(exercise, variant()) for exercise in exercises]
     sheet = Sheet(name="one", title="Sheet", exercises=("t",))
     cells = json.loads(notebooks("Tests", sheet, ADA, pairs)[0])["cells"]
     return ["".join(cell["source"]) for cell in cells if cell["cell_type"] == "markdown"]
@@ -89,7 +90,7 @@ def test_where_exercises_differ_each_says_its_own_order():
 def test_the_script_says_the_order_of_its_exercise(rows):
     sheet = Sheet(name="one", title="Sheet", exercises=("t",), matlab=True)
     first, second = rows.split(", ")
-    text = starter("Course", sheet, ADA, [(screw(rows), variant())])
+    text = starter("Course", sheet, ADA, [Assignment(screw(rows), variant())])
     assert f"t_J = [];  % 6 x 4 numbers, {first} rows above {second}; 4 decimals" in text
 
 

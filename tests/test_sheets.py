@@ -9,7 +9,7 @@ import sys
 import pytest
 from answers import EXERCISES, SLUGS
 from courses import BUNDLED, CLASS, LEVER, enrol, files_of, handed_out, make_course
-from kinegrade.course import sheets
+from kinegrade.course import release, sheets
 from kinegrade.course.config import CourseError, read_course
 from kinegrade.course.gradebook import Gradebook
 from kinegrade.course.sheets import exercises_of, generate
@@ -37,7 +37,9 @@ def records(course, sheet="one"):
 
 
 def released(folder):
-    return files_of(folder / "released") | files_of(folder / "solutions")
+    """What was handed out and the worked solutions, which have the same names in another folder."""
+    places = ("released/", "solutions/")
+    return {path: data for path, data in files_of(folder).items() if path.startswith(places)}
 
 
 def test_every_student_gets_a_sheet_and_the_instructor_a_solution(class_of_three):
@@ -120,9 +122,7 @@ def test_a_late_joiner_is_added_and_a_released_file_is_never_rewritten(class_of_
     before, drawn = released(folder), records(class_of_three)
     enrol(folder, [("dee", "Dee"), *CLASS])
     course = handed_out(folder)
-    assert {
-        path: data for path, data in released(folder).items() if not path.startswith("dee")
-    } == before
+    assert {path: data for path, data in released(folder).items() if "/dee/" not in path} == before
     assert "released/dee/one.ipynb" in files_of(folder)
     assert [record for record in records(course) if record.student != "dee"] == drawn
 
@@ -291,3 +291,60 @@ def test_a_sheet_with_a_pin_gives_all_students_that_form(tmp_path):
     with Gradebook(tmp_path / "gradebook.sqlite") as gradebook:
         records = gradebook.records("one")
     assert {record.numbers["wording"] for record in records} == {wording}
+
+
+def with_formats(folder, formats, **options):
+    make_course(folder, **options)
+    settings = folder / "course.toml"
+    settings.write_text(
+        f"formats = {json.dumps(formats)}\n{settings.read_text(encoding='utf-8')}", encoding="utf-8"
+    )
+    return folder
+
+
+def test_a_course_with_two_formats_has_both_of_everything_and_the_same_bytes(tmp_path):
+    first = handed_out(with_formats(tmp_path / "a", ["ipynb", "pdf"]))
+    found = released(first.folder)
+    for student, _ in CLASS:
+        for place in ("released", "solutions"):
+            assert found[f"{place}/{student}/one.pdf"].startswith(b"%PDF-1.7")
+            assert f"{place}/{student}/one.ipynb" in found
+    again = handed_out(with_formats(tmp_path / "b", ["ipynb", "pdf"]))
+    assert released(again.folder) == found
+
+
+def test_a_format_that_is_added_later_touches_no_notebook(class_of_three):
+    before = released(class_of_three.folder)
+    after = released(handed_out(with_formats(class_of_three.folder, ["ipynb", "pdf"])).folder)
+    assert {path: after[path] for path in before} == before
+    assert len(after) == 2 * len(before)
+
+
+def test_a_sheet_on_paper_alone_is_handed_out_once(tmp_path):
+    folder = with_formats(tmp_path, ["pdf"], mode="exam")
+    before = released(handed_out(folder).folder)
+    assert {path.rpartition(".")[2] for path in before} == {"pdf"}
+    assert released(handed_out(folder).folder) == before
+
+
+def test_a_large_class_is_written_by_several_processes_with_the_same_bytes(tmp_path, monkeypatch):
+    students = [(f"s{i}", f"S {i}") for i in range(4)]
+    alone = handed_out(make_course(tmp_path / "alone", students=students))
+    monkeypatch.setattr(release, "WORTH", 2)
+    monkeypatch.setattr(release, "write", None)  # this process writes nothing
+    together = handed_out(make_course(tmp_path / "together", students=students))
+    assert released(together.folder) == released(alone.folder)
+
+
+def test_what_an_exercise_does_wrong_in_another_process_is_said_here(tmp_path, monkeypatch):
+    monkeypatch.setattr(release, "WORTH", 1)
+    folder = make_course(tmp_path)
+    lever = folder / "exercises" / "lever.py"
+    text = lever.read_text(encoding="utf-8")
+    lever.write_text(
+        text.replace('needs=("lever_p",)', 'needs=("lever_p",), explain="Text."'), encoding="utf-8"
+    )
+    with pytest.raises(
+        ExerciseError, match="explain of lever_J takes a function that returns steps"
+    ):
+        handed_out(folder)

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from courses import BUNDLED, CLASS, files_of, handed_out, make_course
 from kinegrade.course.config import CourseError, Sheet, Student
+from kinegrade.course.sheet.assignment import Assignment
 from kinegrade.course.sheet.matlab import literal, starter
 from kinegrade.exercises.answers import (
     Choice,
@@ -43,7 +44,7 @@ def exercise(*answers, statement="A plain question.", units=None, title="Title",
 
 
 def script(*answers, v=None, student=ADA, **more):
-    return starter("Course", sheet(), student, [(exercise(*answers, **more), v or {})])
+    return starter("Course", sheet(), student, [Assignment(exercise(*answers, **more), v or {})])
 
 
 @pytest.mark.parametrize(
@@ -248,13 +249,15 @@ def test_a_name_that_matlab_does_not_take_is_refused():
         }
     )
     with pytest.raises(CourseError, match="is no name in MATLAB"):
-        starter("Course", sheet(), ADA, [(long, {})])
+        starter("Course", sheet(), ADA, [Assignment(long, {})])
 
 
 @pytest.mark.parametrize("slug", BUNDLED)
 def test_our_exercises_have_a_script_of_code_and_comments(slug):
     found = find(slug, exercise_files())
-    text = starter("Course", sheet(), ADA, [(found, found.draw(np.random.default_rng(1)))])
+    text = starter(
+        "Course", sheet(), ADA, [Assignment(found, found.draw(np.random.default_rng(1)))]
+    )
     assert [
         line for line in text.splitlines() if line and line[0] != "%" and not CODE.fullmatch(line)
     ] == []

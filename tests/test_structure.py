@@ -62,15 +62,18 @@ ROOMS = {
     "course/sheet": ENGINE
     | {"course/ground", "exercises", "exercises/kinds", "grader/collecting", "grader/figures"}
     | {"grader/jail"},
+    "course/typeset": ENGINE | {"course/ground", "course/sheet", "exercises", "exercises/kinds"},
     "course/ledger": ENGINE | {"course/ground", "grader/marking"},
     "course/ledger/migrations": set(),
     "course/ledger/migrations/versions": set(),
     "course": ENGINE
-    | {"course/ground", "course/sheet", "course/ledger", "exercises", "exercises/files"}
+    | {"course/ground", "course/sheet", "course/typeset", "course/ledger"}
+    | {"exercises", "exercises/files"}
     | {"grader/collecting", "grader/jail", "grader/reading", "grader/marking", "grader/telling"}
     | {"grader/figures"},
     "course/proof": ENGINE
-    | {"course", "course/ground", "course/sheet", "exercises", "exercises/files"}
+    | {"course", "course/ground", "course/sheet", "course/typeset"}
+    | {"exercises", "exercises/files"}
     | {"grader/collecting", "grader/jail", "grader/kinds", "grader/marking", "grader/telling"},
     "course/command": ENGINE
     | {"course", "course/ground", "course/sheet", "course/proof", "exercises", "exercises/files"}
@@ -90,6 +93,7 @@ ROOM_OF = {
                 "escape",
                 "files",
                 "formulas",
+                "markdown",
                 "roster",
                 "text_file",
                 "words",

@@ -259,6 +259,24 @@ def test_text_for_explain_is_told_what_to_write(tmp_path, explain, words):
     assert words in line
 
 
+@pytest.mark.parametrize(
+    ("old", "new", "where"),
+    [
+        ('"Its Jacobian"', 'r"Its Jacobian $\\foo J$"', "lever_J"),
+        ('"A lever."', 'r"A lever $\\foo J$."', ""),
+    ],
+)
+def test_an_unknown_command_of_latex_is_named_with_its_part(tmp_path, old, new, where):
+    found = validate_file(lever_file(tmp_path, old, new), 3)
+    failures = {(one.kind, one.part, one.sentence) for one in found.failures}
+    assert ("render", where, r"the command \foo in $\foo J$ is unknown") in failures
+
+
+def test_markup_that_cannot_be_set_is_found(tmp_path):
+    found = validate_file(lever_file(tmp_path, '"A lever."', '"# A lever"'), 3)
+    assert any("no paragraph, list or table" in one.sentence for one in found.failures)
+
+
 def test_without_names_a_course_validates_what_it_uses_and_elsewhere_all_there_is(tmp_path):
     folder = make_course(tmp_path / "course", exercises=("lever", "planar_2r"))
     (folder / "exercises" / "spare.py").write_text(

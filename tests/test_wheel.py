@@ -50,7 +50,7 @@ def test_an_installed_wheel_holds_everything_and_marks_a_course(tmp_path):
     (course / "course.toml").write_text(COURSE, encoding="utf-8")
     (course / "roster.csv").write_text("student,name\nada,Ada Lovelace\n", encoding="utf-8")
     kinegrade("generate", "--course", "mycourse", **options)
-    assert "data:image/png" in (course / "released" / "ada" / "one.ipynb").read_text(
+    assert "data:image/svg+xml" in (course / "released" / "ada" / "one.ipynb").read_text(
         encoding="utf-8"
     )
     assert (course / "released" / "ada" / "one.m").exists()

@@ -5,13 +5,13 @@ Its answers are told apart from nonsense and from its known mistakes.
 
 import sys
 import traceback
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from ...exercises.answers import Manual, Numbers
+from ...exercises.answers import Choice, Manual, Numbers
 from ...exercises.exercise import Exercise, solve
 from ...exercises.files.loading import stopped
 from ...grader.collecting.wire import Raw
@@ -22,7 +22,12 @@ from ...solutions.errors import KinegradeError
 from ..complaints import debugging, marking_failures
 from ..config import Sheet, Student
 from ..formulas import page_text
-from ..sheet.notebook import notebooks, worked_steps
+from ..sheet.assignment import Assignment
+from ..sheet.given import given_numbers
+from ..sheet.notebook import notebooks
+from ..sheet.worked import worked_steps
+from ..typeset.mathml import FormulaError
+from ..typeset.prose import prose
 from .nonsense import NONSENSE
 from .solved import unasked, unsolved
 
@@ -168,21 +173,35 @@ def _unprintable(exercise: Exercise, key: AnswerKey) -> Found:
 
 def _unrendered(exercise: Exercise, v: dict[str, Any], key: AnswerKey) -> Found:
     """Texts that cannot be shown: of the exercise, its parts and their worked solutions."""
-    texts = [exercise.statement(v)]
+    about = [*exercise.objectives, exercise.statement(v), *given_numbers(exercise, v)]
+    about += [drawing.caption for drawing in exercise.drawings(v)]
+    yield from _unset("", about)
     for part in exercise.asked:
         page_text(part.prompt)  # raises on a formula that pages cannot show
-        texts += [part.prompt, *part.hints, *worked_steps(part, v, key.reference)]
+        texts = [part.prompt, *part.hints, *worked_steps(part, v, key.reference)]
+        if isinstance(part.answer, Choice):
+            texts += part.answer.options
+        yield from _unset(part.variable, texts)
         for mistake in part.mistakes:
             if "$" in mistake.sentence:
                 start = mistake.sentence[:60]
                 yield part.variable, f"a finding is plain text, without LaTeX: {start}"
+
+
+def _unset(variable: str, texts: Sequence[str]) -> Found:
+    """Texts with a formula or markup that cannot be set in a PDF."""
     for text in texts:
         if text.count("$") % 2:
-            yield "", f"a dollar sign is left open in: {text[:60]}"
+            yield variable, f"a dollar sign is left open in: {text[:60]}"
+            continue
+        try:
+            prose(text)
+        except FormulaError as error:
+            yield variable, str(error)
 
 
 def _unsolved(exercise: Exercise, v: dict[str, Any], key: AnswerKey, seed: int) -> Found:
-    """What cannot be asked, and what the notebooks lack.
+    """What cannot be asked, and what notebooks and PDFs lack.
 
     They take time, so they are made of the first draws; of the very first, the worked solution is
     run and marked.
@@ -192,6 +211,8 @@ def _unsolved(exercise: Exercise, v: dict[str, Any], key: AnswerKey, seed: int) 
     if seed >= RENDERED:
         return
     sheet = Sheet(name="validate", exercises=(exercise.slug,))
-    _, solution = notebooks("validate", sheet, Student("validate", "validate"), [(exercise, v)])
+    _, solution = notebooks(
+        "validate", sheet, Student("validate", "validate"), [Assignment(exercise, v)]
+    )
     if seed == 0:
         yield from unsolved(exercise, v, key, solution, known)

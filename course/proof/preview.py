@@ -12,11 +12,13 @@ from ...grader.kinds.markers import handed_in
 from ...grader.marking.answer_key import AnswerKey
 from ...grader.marking.mark import mark
 from ..drawn import drawn
-from ..escape import no_markup
 from ..feedback import feedback_block
 from ..markdown import markdown_html
 from ..pages import template
-from ..sheet.notebook import given_cell, prompt_text, question_text, worked_steps
+from ..sheet.assignment import Assignment
+from ..sheet.given import given_cell
+from ..sheet.question import prompt_text, question_text
+from ..sheet.worked import rubric, worked_steps
 from ..words import points_text
 from .draw import raws_of
 
@@ -34,7 +36,7 @@ def preview_page(exercise: Exercise, seed: int) -> str:
         exercise=exercise,
         seed=seed,
         points=points_text(exercise.points),
-        about=_html(question_text(1, exercise, v)),
+        about=_html(question_text(1, Assignment(exercise, v))),
         given=given_cell(exercise, v),
         parts=[_part(key, part, right) for part in exercise.asked],
     )
@@ -49,7 +51,7 @@ def _part(key: AnswerKey, part: Part, right: dict[str, Raw]) -> dict[str, Any]:
     reference = key.reference[part.variable]
     solution = [_html(step) for step in worked_steps(part, dict(key.v), key.reference)]
     if isinstance(part.answer, Manual):
-        solution.append(_html(_rubric(part.answer)))
+        solution.append(_html(rubric(part.answer)))
 
     mistakes: list[dict[str, Any]] = []
     for named, wanted in key.mistaken(part, key.wanted(part)):
@@ -63,10 +65,6 @@ def _part(key: AnswerKey, part: Part, right: dict[str, Raw]) -> dict[str, Any]:
         "code": part.answer.code(part.variable, reference),
         "mistakes": mistakes,
     }
-
-
-def _rubric(answer: Manual) -> str:
-    return "\n".join(f"- {points:g}: {no_markup(text)}" for points, text in answer.rubric)
 
 
 def _mistake(key: AnswerKey, part: Part, right: dict[str, Raw], value: Any) -> dict[str, Any]:

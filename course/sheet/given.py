@@ -8,9 +8,6 @@ from ...exercises.kinds.kind import listed_rows
 from ...solutions.expression import latex_name
 from ..formulas import given_number
 
-Pair = tuple[Exercise, dict[str, Any]]
-"""An exercise and the numbers drawn for the student."""
-
 
 def printed(exercise: Exercise, v: dict[str, Any]) -> dict[str, Any]:
     """What the sheet prints of the drawn numbers: those with a unit, and the choices of form."""
@@ -66,18 +63,23 @@ def _python(value: Any) -> str:
 
 def given_numbers(exercise: Exercise, v: dict[str, Any]) -> list[str]:
     """Markdown: numbers and vectors in one line, every matrix on its own."""
+    inline, displayed = given_formulas(exercise, v)
+    line = r", $\quad$ ".join(f"${latex}$" for latex in inline)
+    return [f"**Your numbers:** {line}", *[f"$${latex}$$" for latex in displayed]]
+
+
+def given_formulas(exercise: Exercise, v: dict[str, Any]) -> tuple[list[str], list[str]]:
+    """LaTeX of every printed number: of numbers and vectors, and of matrices."""
     inline: list[str] = []
     displayed: list[str] = []
     for name, value, unit in given(exercise, v):
         symbol = exercise.symbols.get(name) or _symbol(name, value)
         latex = given_number(symbol, value, unit)
         if "bmatrix" in latex:
-            displayed.append(f"$${latex}$$")
+            displayed.append(latex)
         else:
-            inline.append(f"${latex}$")
-
-    line = r", $\quad$ ".join(inline)
-    return [f"**Your numbers:** {line}", *displayed]
+            inline.append(latex)
+    return inline, displayed
 
 
 def given_form(exercise: Exercise, v: dict[str, Any]) -> str:

@@ -6,7 +6,8 @@ from ...exercises.exercise import Rows
 from ..config import LimitsTable, Sheet, Student
 from ..escape import no_markup
 from ..words import points_text
-from .given import Pair, unit_names
+from .assignment import Assignment
+from .given import unit_names
 
 STACKED: dict[Rows, str] = {
     "linear, angular": "the linear rows stand above the angular ones",
@@ -18,6 +19,10 @@ HANDING_IN = (
     "all cells - the sheet is marked in that way, from top to bottom - then save and hand in this "
     "file."
 )
+SOLVED = (
+    "Every part with its question, the way to its answer, and the answer with your numbers. Run "
+    "from top to bottom, the cells leave all answers in their variables."
+)
 TIME = (
     "When it is marked, a cell may compute for {cell:g} s, and all cells together may take "
     "{notebook:g} s."
@@ -26,36 +31,57 @@ ROUNDING = "Round only what you hand in, and compute on with all digits."
 
 
 def heading(
-    course: str, sheet: Sheet, student: Student, pairs: Sequence[Pair], limits: LimitsTable
+    course: str,
+    sheet: Sheet,
+    student: Student,
+    assignments: Sequence[Assignment],
+    limits: LimitsTable,
 ) -> str:
     """Markdown of a sheet's title, its student, its points, and what holds for all exercises."""
-    points = sum(exercise.points for exercise, _ in pairs)
-    minutes = sum(exercise.minutes for exercise, _ in pairs)
+    title = f"# {sheet.title or sheet.name}"
+    rules = f"{conventions(assignments)} {ROUNDING}"
+    time = TIME.format(cell=limits.cell_seconds, notebook=limits.notebook_seconds)
+    about = _about(course, sheet, student, assignments)
+    return "\n\n".join([title, about, f"{HANDING_IN} {time}", rules])
+
+
+def solution_heading(
+    course: str, sheet: Sheet, student: Student, assignments: Sequence[Assignment]
+) -> str:
+    """Markdown of the title of a worked solution; its reader hands in nothing any more."""
+    title = f"# {sheet.title or sheet.name}: worked solution"
+    rules = f"{SOLVED} {conventions(assignments)}"
+    return "\n\n".join([title, _about(course, sheet, student, assignments), rules])
+
+
+def _about(course: str, sheet: Sheet, student: Student, assignments: Sequence[Assignment]) -> str:
+    points = sum(one.exercise.points for one in assignments)
+    minutes = sum(one.exercise.minutes for one in assignments)
     name = no_markup(student.name) or student.id
-    about = (
+    return (
         f"{course} · sheet `{sheet.name}` · **{name}** (`{student.id}`) · "
         f"{points_text(points)} · about {minutes} minutes"
     )
 
-    conventions = [f"Units are {_units(pairs)}."]
-    orders = row_orders(pairs)
+
+def conventions(assignments: Sequence[Assignment]) -> str:
+    """Units, and the order of rows where it is the same everywhere."""
+    sentences = [f"Units are {_units(assignments)}."]
+    orders = row_orders(assignments)
     if len(orders) == 1:  # else each exercise says its own
-        conventions.append(f"In every Jacobian and twist {STACKED[orders.pop()]}.")
-    conventions.append(ROUNDING)
-    time = TIME.format(cell=limits.cell_seconds, notebook=limits.notebook_seconds)
-    title = f"# {sheet.title or sheet.name}"
-    return "\n\n".join([title, about, f"{HANDING_IN} {time}", " ".join(conventions)])
+        sentences.append(f"In every Jacobian and twist {STACKED[orders.pop()]}.")
+    return " ".join(sentences)
 
 
-def row_orders(pairs: Sequence[Pair]) -> set[Rows]:
+def row_orders(assignments: Sequence[Assignment]) -> set[Rows]:
     """The orders of the rows of Jacobians and twists that the exercises of a sheet take."""
-    return {exercise.rows for exercise, _ in pairs}
+    return {one.exercise.rows for one in assignments}
 
 
-def _units(pairs: Sequence[Pair]) -> str:
+def _units(assignments: Sequence[Assignment]) -> str:
     """The basic units of a sheet; newtons where a force or a moment is on it."""
-    for exercise, _ in pairs:
-        for name in unit_names(exercise.units.values()):
+    for one in assignments:
+        for name in unit_names(one.exercise.units.values()):
             if name.startswith("N"):
                 return "metres, radians, seconds and newtons"
     return "metres, radians and seconds"

@@ -11,7 +11,8 @@ from ...exercises.kinds.manual import is_on_paper
 from ..config import SCRIPT_NAME, CourseError, Sheet, Student
 from ..escape import printable
 from ..words import points_text
-from .given import Pair, given, unit_names
+from .assignment import Assignment
+from .given import given, unit_names
 from .matlab_literal import literal, literal_lines
 
 __all__ = ["literal", "starter"]
@@ -25,14 +26,14 @@ STACKED: dict[Rows, str] = {
 }
 
 
-def starter(course: str, sheet: Sheet, student: Student, pairs: Sequence[Pair]) -> str:
+def starter(course: str, sheet: Sheet, student: Student, assignments: Sequence[Assignment]) -> str:
     """The text of a MATLAB script with a section for every exercise, the same every time.
 
     Raises:
         CourseError: a variable has a name that MATLAB does not take, or a drawn number is of a kind
             that MATLAB has no word for.
     """
-    handed_in = _handed_in(pairs)
+    handed_in = _handed_in(assignments)
     for part in handed_in:
         if not SCRIPT_NAME.fullmatch(part.variable):
             raise CourseError(
@@ -41,17 +42,17 @@ def starter(course: str, sheet: Sheet, student: Student, pairs: Sequence[Pair]) 
             )
 
     lines = [*_heading(course, sheet, student), ""]
-    for number, (exercise, v) in enumerate(pairs, 1):
-        lines += _section(number, exercise, v, sheet)
+    for number, one in enumerate(assignments, 1):
+        lines += _section(number, one.exercise, one.v, sheet)
     lines += _saving(sheet, handed_in)
     return "\n".join(lines) + "\n"
 
 
-def _handed_in(pairs: Sequence[Pair]) -> list[Part]:
+def _handed_in(assignments: Sequence[Assignment]) -> list[Part]:
     """All parts of a sheet but those that are done on paper."""
     parts: list[Part] = []
-    for exercise, _ in pairs:
-        parts += [part for part in exercise.asked if not is_on_paper(part.answer)]
+    for one in assignments:
+        parts += [part for part in one.exercise.asked if not is_on_paper(part.answer)]
     return parts
 
 

@@ -3,20 +3,19 @@
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-from ...exercises.exercise import Exercise, Manual, references
+from ...exercises.exercise import Exercise, Manual
 from ..config import LimitsTable, PackagesTable, Sheet, Student
-from ..words import points_text
-from .given import Pair, given_cell, printed
-from .heading import heading, row_orders
+from .assignment import Assignment
+from .given import given_cell, printed
+from .heading import heading, row_orders, solution_heading
 from .notebook_file import code_cell, folded_cell, markdown_cell, notebook_file
-from .question import prompt_text, question_text
+from .question import figures_text, prompt_text, question_text
 from .self_check import self_check
-from .worked import worked_steps
+from .worked import rubric
 
 KEY = "kinegrade"
 """What a notebook says of itself stands under this key of its metadata."""
 IMPORTS = "import numpy as np"
-FOR_THE_INSTRUCTOR = "**Worked solution, for the instructor.**"
 SELF_CHECK = (
     "## Self-check\n\nRun the folded cell below at any time. It sees what is there, not whether it "
     "is right. Where Kinegrade is installed, `%load_ext kinegrade` and then `%check` say more."
@@ -27,61 +26,88 @@ def notebooks(
     course: str,
     sheet: Sheet,
     student: Student,
-    pairs: Sequence[Pair],
+    assignments: Sequence[Assignment],
     limits: LimitsTable | None = None,
     packages: PackagesTable | None = None,
 ) -> tuple[bytes, bytes]:
-    """What the student gets, and what the instructor keeps, as the bytes of two notebooks.
+    """What the student gets, and the worked solution, as the bytes of two notebooks.
 
     Limits and packages travel with the sheet, so that a check uses what marking uses.
 
     Raises:
         ExerciseError: an exercise fails on the student's numbers, or explains a part by no steps.
     """
-    limits = limits or LimitsTable()
-    title = heading(course, sheet, student, pairs, limits)
-    questions = _questions(pairs)
-    handout = _handout(title, questions, sheet, pairs)
-    solution = _solution(title, questions, pairs)
-
-    about: dict[str, Any] = {"sheet": sheet.name, "student": student.id, "mode": sheet.mode}
-    numbers: dict[str, Any] = {}
-    for exercise, v in pairs:
-        numbers[exercise.slug] = printed(exercise, v)
-    # a notebook's keys are sorted when it is written
-    order = [exercise.slug for exercise, _ in pairs]
-    handed_out = about | {"exercises": order, "numbers": numbers, "limits": limits.model_dump()}
-    if packages and packages.allow:
-        handed_out["packages"] = packages.model_dump(mode="json")
-
-    identity = f"{sheet.name}/{student.id}"
     return (
-        notebook_file(handout, {KEY: handed_out}, identity),
-        notebook_file(solution, {KEY: about}, f"solution/{identity}"),
+        handout_notebook(course, sheet, student, assignments, limits, packages),
+        solution_notebook(course, sheet, student, assignments),
     )
 
 
-def _questions(pairs: Sequence[Pair]) -> list[str]:
-    """The text of every exercise; with the order of rows where they differ in it."""
-    differ = len(row_orders(pairs)) > 1
-    questions: list[str] = []
-    for number, (exercise, v) in enumerate(pairs, 1):
-        question = question_text(number, exercise, v, order=differ)
-        questions.append(question)
-    return questions
+def handout_notebook(
+    course: str,
+    sheet: Sheet,
+    student: Student,
+    assignments: Sequence[Assignment],
+    limits: LimitsTable | None = None,
+    packages: PackagesTable | None = None,
+) -> bytes:
+    """What the student gets: every question with its numbers and blanks, then the self-check.
 
-
-def _handout(
-    title: str, questions: Sequence[str], sheet: Sheet, pairs: Sequence[Pair]
-) -> list[Any]:
-    """The student's cells: every question with its numbers and blanks, then the self-check."""
+    Raises:
+        ExerciseError: an exercise fails on the student's numbers.
+    """
+    limits = limits or LimitsTable()
+    title = heading(course, sheet, student, assignments, limits)
     cells = [markdown_cell(title), code_cell(IMPORTS)]
-    for (exercise, v), question in zip(pairs, questions, strict=True):
-        cells += [markdown_cell(question), code_cell(given_cell(exercise, v))]
-        cells += _blanks(exercise, hints=sheet.mode != "exam")
+    for one, question in zip(assignments, _questions(assignments), strict=True):
+        cells += [markdown_cell(question), code_cell(given_cell(one.exercise, one.v))]
+        cells += _blanks(one.exercise, hints=sheet.mode != "exam")
 
-    asked = [part for exercise, _ in pairs for part in exercise.asked]
-    return [*cells, markdown_cell(SELF_CHECK), folded_cell(self_check(asked))]
+    asked = [part for one in assignments for part in one.exercise.asked]
+    cells += [markdown_cell(SELF_CHECK), folded_cell(self_check(asked))]
+
+    numbers: dict[str, Any] = {}
+    for one in assignments:
+        numbers[one.exercise.slug] = printed(one.exercise, one.v)
+    # a notebook's keys are sorted when it is written
+    order = [one.exercise.slug for one in assignments]
+    about = _about(sheet, student) | {"exercises": order, "numbers": numbers}
+    about["limits"] = limits.model_dump()
+    if packages and packages.allow:
+        about["packages"] = packages.model_dump(mode="json")
+    return notebook_file(cells, {KEY: about}, f"{sheet.name}/{student.id}")
+
+
+def solution_notebook(
+    course: str, sheet: Sheet, student: Student, assignments: Sequence[Assignment]
+) -> bytes:
+    """Every question with its numbers, its frames and its worked solution.
+
+    Raises:
+        ExerciseError: an exercise fails on the student's numbers, or explains a part by no steps.
+    """
+    title = solution_heading(course, sheet, student, assignments)
+    cells = [markdown_cell(title), code_cell(IMPORTS)]
+    for one, question in zip(assignments, _questions(assignments), strict=True):
+        cells += [markdown_cell(question), code_cell(given_cell(one.exercise, one.v))]
+        if one.solved_figures:
+            cells.append(markdown_cell(figures_text(one.solved_figures)))
+        cells += _worked(one)
+    about = _about(sheet, student)
+    return notebook_file(cells, {KEY: about}, f"solution/{sheet.name}/{student.id}")
+
+
+def _about(sheet: Sheet, student: Student) -> dict[str, Any]:
+    return {"sheet": sheet.name, "student": student.id, "mode": sheet.mode}
+
+
+def _questions(assignments: Sequence[Assignment]) -> list[str]:
+    """The text of every exercise; with the order of rows where they differ in it."""
+    differ = len(row_orders(assignments)) > 1
+    questions: list[str] = []
+    for number, one in enumerate(assignments, 1):
+        questions.append(question_text(number, one, order=differ))
+    return questions
 
 
 def _blanks(exercise: Exercise, *, hints: bool) -> Iterator[Any]:
@@ -90,25 +116,13 @@ def _blanks(exercise: Exercise, *, hints: bool) -> Iterator[Any]:
         yield code_cell(part.answer.blank(part.variable), part.variable)
 
 
-def _solution(title: str, questions: Sequence[str], pairs: Sequence[Pair]) -> list[Any]:
-    """The instructor's cells: every question with its worked solution."""
-    cells = [markdown_cell(f"{title}\n\n{FOR_THE_INSTRUCTOR}"), code_cell(IMPORTS)]
-    for (exercise, v), question in zip(pairs, questions, strict=True):
-        cells += [markdown_cell(question), *_worked(exercise, v)]
-    return cells
-
-
-def _worked(exercise: Exercise, v: dict[str, Any]) -> Iterator[Any]:
+def _worked(one: Assignment) -> Iterator[Any]:
     """Every part's question, steps and answer."""
-    answers = references(exercise, v)
-    for part in exercise.asked:
+    for part in one.exercise.asked:
         yield markdown_cell(prompt_text(part, hints=False))
-        for step in worked_steps(part, v, answers):
+        for step in one.solution[part.variable]:
             yield markdown_cell(step)
         if isinstance(part.answer, Manual):
-            yield markdown_cell(_rubric(part.answer))
-        yield code_cell(part.answer.code(part.variable, answers[part.variable]), part.variable)
-
-
-def _rubric(answer: Manual) -> str:
-    return "\n".join(f"- {points_text(points)}: {text}" for points, text in answer.rubric)
+            yield markdown_cell(rubric(part.answer))
+        answer = one.answers[part.variable]
+        yield code_cell(part.answer.code(part.variable, answer), part.variable)

@@ -11,7 +11,7 @@ KERNEL = {"display_name": "Python 3", "language": "python", "name": "python3"}
 
 def markdown_cell(text: str) -> Any:
     """A cell of Markdown."""
-    return nbformat.v4.new_markdown_cell(text)
+    return {"cell_type": "markdown", "id": "", "metadata": {}, "source": text}
 
 
 def code_cell(source: str, answer: str = "") -> Any:
@@ -21,7 +21,7 @@ def code_cell(source: str, answer: str = "") -> Any:
         # For people and tools that keep tags; answers are collected by the variable's name. Past an
         # error in a cell with the last of them, Run All goes on.
         metadata["tags"] = ["answer", answer, "raises-exception"]
-    return nbformat.v4.new_code_cell(source, metadata=metadata)
+    return _code(source, metadata)
 
 
 def folded_cell(source: str) -> Any:
@@ -31,7 +31,18 @@ def folded_cell(source: str) -> Any:
         "tags": ["hide-input"],  # pages made of notebooks
         "cellView": "form",  # Colab
     }
-    return nbformat.v4.new_code_cell(source, metadata=metadata)
+    return _code(source, metadata)
+
+
+def _code(source: str, metadata: dict[str, Any]) -> Any:
+    return {
+        "cell_type": "code",
+        "execution_count": None,
+        "id": "",
+        "metadata": metadata,
+        "outputs": [],
+        "source": source,
+    }
 
 
 def notebook_file(cells: list[Any], metadata: dict[str, Any], identity: str) -> bytes:
@@ -41,9 +52,10 @@ def notebook_file(cells: list[Any], metadata: dict[str, Any], identity: str) -> 
     """
     for i, cell in enumerate(cells):
         digest = hashlib.sha256(f"{identity}/{i}".encode()).hexdigest()
-        cell["id"] = digest[:8]  # nbformat draws a random one
+        cell["id"] = digest[:8]
 
     language = {"kernelspec": KERNEL, "language_info": {"name": "python"}}
-    notebook = nbformat.v4.new_notebook(cells=cells, metadata=language | metadata)
-    nbformat.validate(notebook)
-    return (nbformat.writes(notebook) + "\n").encode("utf-8")
+    notebook = nbformat.v4.new_notebook(
+        cells=[nbformat.from_dict(cell) for cell in cells], metadata=language | metadata
+    )  # which validates all of it, once
+    return (nbformat.v4.writes(notebook) + "\n").encode("utf-8")

@@ -2,70 +2,70 @@
 
 from collections.abc import Sequence
 from html import escape
-from typing import Any
 
-from ...exercises.drawing import Drawing
-from ...exercises.exercise import Choice, Exercise, Part
-from ...grader.figures.arm import draw
-from ...grader.figures.raster import data_uri, png
+from ...exercises.exercise import Choice, Part
+from ...grader.figures.raster import data_uri
 from ..words import points_text
+from .assignment import WIDTH, Assignment, Figure
 from .given import given_form, given_numbers
 from .heading import STACKED
 
-WIDTH = 380  # of a figure on the page, in pixels; the PNG has twice as many
 
-
-def question_text(
-    number: int, exercise: Exercise, v: dict[str, Any], *, order: bool = False
-) -> str:
+def question_text(number: int, one: Assignment, *, order: bool = False) -> str:
     """Markdown of heading, statement, numbers and figures of an exercise.
 
     With `order`, it says which rows of a Jacobian come first.
     """
+    exercise = one.exercise
     blocks = [f"## {number}. {exercise.title} ({points_text(exercise.points)})"]
     if exercise.objectives:
         blocks.append(f"*{' '.join(exercise.objectives)}*")
     if order:
         blocks.append(f"In the Jacobians and twists of this exercise {STACKED[exercise.rows]}.")
 
-    statement = exercise.statement(v)
+    statement = exercise.statement(one.v)
     if statement:
         blocks.append(statement)
-    blocks += given_numbers(exercise, v)
-    form = given_form(exercise, v)
+    blocks += given_numbers(exercise, one.v)
+    form = given_form(exercise, one.v)
     if form:
         blocks.append(form)
-
-    drawings = exercise.drawings(v)
-    if drawings:
-        blocks.append(_figures(drawings))
+    if one.figures:
+        blocks.append(figures_text(one.figures))
     return "\n\n".join(blocks)
 
 
-def _figures(drawings: Sequence[Drawing]) -> str:
-    """A table of drawings over their captions."""
-    images = [_image(drawing) for drawing in drawings]
-    centred = [":-:"] * len(drawings)
-    captions = [f"*{drawing.caption}*" for drawing in drawings]
+def figures_text(figures: Sequence[Figure]) -> str:
+    """Markdown: a table of figures over their captions."""
+    images = [_image(figure) for figure in figures]
+    centred = [":-:"] * len(figures)
+    captions = [f"*{figure.caption}*" for figure in figures]
     return "\n".join(f"| {' | '.join(cells)} |" for cells in (images, centred, captions))
 
 
-def _image(drawing: Drawing) -> str:
-    """A drawing as a PNG in the text itself: attachments are not shown everywhere."""
-    source = data_uri(png(draw(drawing, WIDTH), 2 * WIDTH))
-    return f'<img src="{source}" alt="{escape(drawing.alt)}" width="{WIDTH}">'
+def _image(figure: Figure) -> str:
+    """A figure as SVG in the text itself.
+
+    JupyterLab, VS Code and GitHub show it there; they do not show an SVG that is attached.
+    """
+    source = data_uri(figure.svg)
+    return f'<img src="{source}" alt="{escape(figure.alt)}" width="{WIDTH}">'
 
 
 def prompt_text(part: Part, *, hints: bool) -> str:
     """Markdown of what a part asks, with its options and, where wanted, its hints."""
-    stop = "" if part.prompt.endswith((".", "?", "!", ":")) else "."
-    question = f"**`{part.variable}`** ({points_text(part.points)}): {part.prompt}{stop}"
-    blocks = [f"{question} {part.answer.asked_beside}".rstrip()]
+    blocks = [f"**`{part.variable}`** ({points_text(part.points)}): {asked(part)}"]
     if isinstance(part.answer, Choice):
         blocks.append(_options(part.answer))
     if hints and part.hints:
         blocks.append(_hints(part.hints))
     return "\n\n".join(blocks)
+
+
+def asked(part: Part) -> str:
+    """Markdown of what a part asks, as sentences, without its name."""
+    stop = "" if part.prompt.endswith((".", "?", "!", ":")) else "."
+    return f"{part.prompt}{stop} {part.answer.asked_beside}".rstrip()
 
 
 def _options(answer: Choice) -> str:

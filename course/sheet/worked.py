@@ -3,8 +3,10 @@
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-from ...exercises.exercise import ExerciseError, Part, Step
+from ...exercises.exercise import ExerciseError, Manual, Part, Step
+from ..escape import no_markup
 from ..formulas import closed_form, matrix
+from ..words import points_text
 
 DECIMALS = 4  # of numbers in the worked solution of a part that asks for none
 
@@ -54,3 +56,11 @@ def _blocks(step: Step, decimals: int) -> Iterator[str]:
     if step.numbers is not None:
         shown = decimals if step.decimals is None else step.decimals
         yield f"$${left}{matrix(step.numbers, shown)}$$"
+
+
+def rubric(answer: Manual) -> str:
+    """Markdown of the points of a part that is marked by hand, and what earns them."""
+    lines: list[str] = []
+    for points, text in answer.rubric:
+        lines.append(f"- {points_text(points)}: {no_markup(text)}")
+    return "\n".join(lines)

@@ -85,7 +85,7 @@ class Speed:
         return (
             rf"{said} There are more joints than rows; the rates of least norm are "
             rf"$\dot{{\mathbf q}} = {block}^{{+}} {wanted}$ with "
-            rf"${block}^{{+}} = {block}^{{T}} ({block} {block}^{{T}})^{{-1}}$ (S3 5.2.1)."
+            rf"${block}^{{+}} = {block}^{{T}} ({block} {block}^{{T}})^{{-1}}$."
         )
 
     @property
@@ -103,6 +103,6 @@ class Speed:
             rf"${row} \dot{{\mathbf q}} = {self.symbol}$ is prescribed. There are more joints "
             r"than rows; the rates of least norm are "
             rf"$\dot{{\mathbf q}} = {row}^{{+}} {self.symbol}$ with "
-            rf"${row}^{{+}} = {row}^{{T}} / ({row} {row}^{{T}})$ (S3 5.2.1): "
+            rf"${row}^{{+}} = {row}^{{T}} / ({row} {row}^{{T}})$: "
             rf"${row} {row}^{{T}}$ is a number."
         )

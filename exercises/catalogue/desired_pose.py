@@ -121,7 +121,7 @@ def dq(arm: Arm, du: Array) -> Array:
 
     - Six equations for six unknowns: a numerical solver does it once $\mathbf J$ is there.
 
-    $\mathbf J$ is square and regular at your $\mathbf q$, so there is one solution (S0, eq. 4.13):
+    $\mathbf J$ is square and regular at your $\mathbf q$, so there is one solution:
     $$\mathbf J = <J>$$
 
     $$d\mathbf q = \mathbf J^{-1} d\mathbf u = <dq>$$

@@ -128,9 +128,7 @@ def jacobian() -> TableFunction:
     Row $i$ gives $\mathbf T_{i-1}^{i} = R_z(\theta_i)\,T_z(d_i)\,T_x(a_i)\,R_x(\alpha_i)$, with
     $q_i$ added to $\theta_i$ of a revolute and to $d_i$ of a prismatic joint, and
     $\mathbf T_0^{i} = \mathbf T_0^{i-1} \mathbf T_{i-1}^{i}$, beginning with
-    $\mathbf T_0^{0} = \mathbf I$. (S2 prints the product as
-    $\mathbf T_0^0 \mathbf T_1^0 \mathbf T_2^0 \cdots$ in one place; each factor leads from one
-    frame to the next.)
+    $\mathbf T_0^{0} = \mathbf I$: each factor leads from one frame to the next.
 
     $\mathbf z_{i-1}$ and $\mathbf o_{i-1}$ are the third and the fourth column of
     $\mathbf T_0^{i-1}$. Column $i$ is $\mathbf z_{i-1} \times (\mathbf o_n - \mathbf o_{i-1})$

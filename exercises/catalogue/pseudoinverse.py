@@ -124,7 +124,7 @@ def pinv(J: Array) -> Array:
     - Multiply J by your result.
 
     $\mathbf J$ has more columns than rows and full row rank, so $\mathbf J \mathbf J^{T}$ is 6 × 6
-    and has an inverse: $\mathbf J^{+} = \mathbf J^{T} (\mathbf J \mathbf J^{T})^{-1}$ (S3 5.2.1).
+    and has an inverse: $\mathbf J^{+} = \mathbf J^{T} (\mathbf J \mathbf J^{T})^{-1}$.
     $\mathbf J^{T} \mathbf J$ is 7 × 7 with rank 6 and has none. With your numbers:
     $$\mathbf J^{+} = <pinv>$$
     """

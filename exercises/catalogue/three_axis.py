@@ -126,7 +126,7 @@ def A(p: Array, z: Array) -> Array:
     - The order of a cross product decides its sign.
 
     All joints are revolute, $\xi_i = 1$, so column $i$ of $\mathbf A$ is
-    $\mathbf z^{i} \times (\mathbf p^{tool} - \mathbf p^{i})$ (S0, eq. 4.8). In closed form:
+    $\mathbf z^{i} \times (\mathbf p^{tool} - \mathbf p^{i})$. In closed form:
     $$\mathbf A = <closed>$$
 
     With your numbers:
@@ -141,8 +141,7 @@ def B(z: Array) -> Array:
 
     - A revolute joint turns the tool about its own axis.
 
-    Column $i$ of $\mathbf B$ is $\xi_i \mathbf z^{i} = \mathbf z^{i}$ (S0, eq. 4.10). With your
-    numbers:
+    Column $i$ of $\mathbf B$ is $\xi_i \mathbf z^{i} = \mathbf z^{i}$. With your numbers:
     $$\mathbf B = <B>$$
     """
     return z
@@ -154,7 +153,7 @@ def J(A: Array, B: Array) -> Array:
 
     - Nothing is left to compute.
 
-    The linear rows stand above the angular ones (S0, eq. 4.12):
+    The linear rows stand above the angular ones:
     $$\mathbf J = \begin{bmatrix}\mathbf A\\ \mathbf B\end{bmatrix} = <J>$$
     """
     return np.concatenate([A, B])
@@ -210,10 +209,10 @@ def dw(B: Array, dq: Array) -> Array:
 
     - Every joint turns the tool about its own axis; small rotations add.
 
-    $d\mathbf w = \mathbf B\,d\mathbf q = \mathbf z^1 dq_1 + \mathbf z^2 (dq_2 + dq_3)$
-    (S0, eq. 4.9). Nobody asked for it: $d\mathbf p$ alone fixes the three $dq_i$. That is why
-    $\mathbf J\,d\mathbf q = d\mathbf u$ (S0, eq. 4.13), six equations for three unknowns, has in
-    general no solution: it has one only if the wished $d\mathbf w$ is this one:
+    $d\mathbf w = \mathbf B\,d\mathbf q = \mathbf z^1 dq_1 + \mathbf z^2 (dq_2 + dq_3)$. Nobody
+    asked for it: $d\mathbf p$ alone fixes the three $dq_i$. That is why
+    $\mathbf J\,d\mathbf q = d\mathbf u$, six equations for three unknowns, has in general no
+    solution: it has one only if the wished $d\mathbf w$ is this one:
     $$d\mathbf w = <dw>$$
     """
     return B @ dq
@@ -236,9 +235,9 @@ def error(arm: Arm, dq: Array, dp: Array = WISHED) -> Array:
     - Compute the tool point a second time, at the new angles.
     - Expect well under a few millimetres.
 
-    Multiply the transforms once more at $\mathbf q + d\mathbf q$. S0 prints eq. 4.7 with an equals
-    sign, but it holds to first order: what is missed grows with the square of $d\mathbf q$. With
-    your numbers:
+    Multiply the transforms once more at $\mathbf q + d\mathbf q$.
+    $d\mathbf p = \mathbf A\,d\mathbf q$ holds to first order: what is missed grows with the square
+    of $d\mathbf q$. With your numbers:
     $$<missed> = <error>$$
     """
     return arm.at(arm.q + dq).p - arm.p - dp

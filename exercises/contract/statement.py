@@ -1,10 +1,13 @@
 """Statement, figures and scale of an exercise: the file's own, or those that its robot brings."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
+
+import numpy as np
 
 from ..answers import Variant
-from ..arm import Arm
-from ..drawing import Drawing
+from ..arm import Arm, Array
+from ..drawing import Drawing, Triad
 from ..exercise import ExerciseError
 from .introduction import drawn_arm, introduction
 from .names import Function, Names
@@ -66,3 +69,47 @@ def drawings_of(
         return (found,) if isinstance(found, Drawing) else tuple(found)
 
     return drawn
+
+
+def with_frames(
+    names: Names, drawings: Callable[[Variant], tuple[Drawing, ...]]
+) -> Callable[[Variant], tuple[Drawing, ...]]:
+    """For the worked solution: the arm at the student's q with every frame, as it is drawn last.
+
+    There is none where no drawing shows the arm at q, or where one shows all frames already.
+    """
+    arm_of_variant = names.arm
+    if arm_of_variant is None:
+        return lambda _: ()
+
+    def solved(v: Variant) -> tuple[Drawing, ...]:
+        arm = arm_of_variant(v)
+        at_q = [one for one in drawings(v) if np.array_equal(one.q, arm.q)]
+        triads = tuple(_triads(arm))
+        if not at_q or len(at_q[-1].triads) >= len(triads):
+            return ()
+        caption = "The arm with its frames."
+        alt = f"{at_q[-1].alt} Every frame is drawn with its number."
+        drawing = replace(at_q[-1], triads=triads, dimensions=(), arrows=False)
+        return (replace(drawing, caption=caption, alt=alt),)
+
+    return solved
+
+
+def _triads(arm: Arm) -> Iterator[Triad]:
+    """The base frame and all others, under their numbers; those that coincide once."""
+    frames = [np.eye(4), *arm.frames]
+    labels = [str(i) for i in range(len(frames))]
+    if arm.robot.convention == "standard":  # its frames start with the base
+        del frames[0]
+    if len(frames) > arm.robot.n + 1:
+        labels[arm.robot.n + 1] = "tool"
+
+    for i, pose in enumerate(frames):
+        if not _is_among(pose, frames[:i]):
+            same = [labels[k] for k in range(i, len(frames)) if _is_among(frames[k], [pose])]
+            yield Triad(pose, ",".join(same))
+
+
+def _is_among(pose: Array, others: Sequence[Array]) -> bool:
+    return any(np.allclose(pose, other, atol=1e-9) for other in others)

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .kind import Kind, ValueKindError, Variant
+from .paper import Paper
 
 LETTERS = "abcdefghijklmnopqrstuvwxyz"
 
@@ -31,6 +32,11 @@ class Choice(Kind):
     def self_check(self) -> tuple[str, Any]:
         """With the letters."""
         return "choice", self.letters
+
+    @property
+    def paper(self) -> Paper:
+        """The letters."""
+        return Paper(letters=self.letters)
 
     def declared(self, value: Any, v: Variant) -> str:
         """A letter."""

@@ -20,6 +20,7 @@ from ...solutions.expression_array import sample
 from ...solutions.table import JOINT
 from .formulas import PICTURES, names_on_sheet
 from .kind import Kind, ValueKindError, Variant, listed_rows
+from .paper import Paper
 
 
 @dataclass(frozen=True)
@@ -49,6 +50,11 @@ class Conditions(Kind):
     def asked_beside(self) -> str:
         """What a wrong one costs."""
         return "A wrong one costs a right one."
+
+    @property
+    def paper(self) -> Paper:
+        """A line for every condition, and some to spare."""
+        return Paper(lines=6)
 
     def declared(self, value: Any, v: Variant) -> tuple[Condition, ...]:
         """A tuple of conditions."""

@@ -8,6 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .kind import Kind, ValueKindError, Variant, array_code, finite
+from .paper import Paper, counted
+
+PAPER_ROWS = 8  # for postures of an arm with a spherical wrist there are no more
 
 
 @dataclass(frozen=True)
@@ -48,6 +51,11 @@ class Configurations(Kind):
     def array_shape(self) -> tuple[int, ...]:
         """Of two rows."""
         return (2, self.joints)
+
+    @property
+    def paper(self) -> Paper:
+        """A row for every configuration, as many on every sheet."""
+        return Paper(counted(min(self.most, PAPER_ROWS)), counted(self.joints))
 
     def declared(self, value: Any, v: Variant) -> NDArray[np.float64]:
         """Finite rows (m, joints)."""

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from ...solutions.expression_array import ExpressionArray, expression_array, sample
 from ...solutions.table import JOINT
 from .kind import Kind, ValueKindError, Variant, listed_rows, sized
+from .paper import Paper, paper_of_shape
 
 PICTURES = 3  # points at which formulas are recorded
 
@@ -39,6 +40,11 @@ class Formulas(Kind):
     def array_shape(self) -> tuple[int, ...]:
         """Its own."""
         return self.shape
+
+    @property
+    def paper(self) -> Paper:
+        """A box for every entry."""
+        return paper_of_shape(self.shape, wide=True)
 
     def declared(self, value: Any, v: Variant) -> ExpressionArray:
         """An `ExpressionArray` of the shape, in names of the sheet."""

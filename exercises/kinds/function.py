@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from .arguments import Calls, arrived
 from .kind import Kind, ValueKindError, Variant
+from .paper import Paper
 
 
 @dataclass(frozen=True)
@@ -49,6 +50,11 @@ class Function(Kind):
     def self_check(self) -> tuple[str, Any]:
         """A function, whatever it does."""
         return "function", None
+
+    @property
+    def paper(self) -> Paper:
+        """Lines for the code."""
+        return Paper(lines=16)
 
     def calls(self, v: Variant) -> list[tuple[Any, ...]]:
         """The arguments of all calls, group after group."""

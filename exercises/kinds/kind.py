@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...solutions.errors import KinegradeError
+from .paper import Paper
 
 Variant = Mapping[str, Any]
 """The drawn numbers of one student, as they come back from JSON."""
@@ -54,6 +55,11 @@ class Kind:
     def array_shape(self) -> tuple[int, ...]:
         """The shape in which an array of numbers would be handed in."""
         return ()
+
+    @property
+    def paper(self) -> Paper:
+        """Where it is written by hand."""
+        return Paper(lines=4)
 
     def declared(self, value: Any, v: Variant) -> Any:
         """The value as its kind.

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from .kind import Kind, ValueKindError, Variant
+from .paper import Paper
 
 
 @dataclass(frozen=True)
@@ -35,6 +36,11 @@ class Manual(Kind):
         if self.on_paper:
             return "On paper, marked by hand."
         return "Marked by hand."
+
+    @property
+    def paper(self) -> Paper:
+        """Lines for an argument or a sketch."""
+        return Paper(lines=9)
 
     def declared(self, value: Any, v: Variant) -> str:
         """The marker's key."""

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .kind import Kind, Variant, array_code, finite, sized
+from .paper import Paper, paper_of_shape
 
 
 @dataclass(frozen=True)
@@ -56,6 +57,11 @@ class Numbers(Kind):
     def array_shape(self) -> tuple[int, ...]:
         """Its own."""
         return self.shape
+
+    @property
+    def paper(self) -> Paper:
+        """A box for every entry."""
+        return paper_of_shape(self.shape, wide=False)
 
     def declared(self, value: Any, v: Variant) -> NDArray[np.float64]:
         """A finite array of the shape."""

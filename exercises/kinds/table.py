@@ -11,7 +11,9 @@ from ...solutions.equivalence import ALL_GIVEN, Given
 from ...solutions.expression_array import sample
 from ...solutions.table import Table
 from .kind import Kind, ValueKindError, Variant, listed_rows
+from .paper import Paper, counted
 
+COLUMNS = (r"\theta_i", "d_i", "a_i", r"\alpha_i")
 CONVENTIONS = ("standard", "modified")
 FREE = {
     "base": "the base frame",
@@ -71,6 +73,11 @@ class TableOf(Kind):
     def array_shape(self) -> tuple[int, ...]:
         """A row for every joint."""
         return (len(self.kinds), 4)
+
+    @property
+    def paper(self) -> Paper:
+        """A row for every joint."""
+        return Paper(counted(len(self.kinds)), COLUMNS)
 
     def declared(self, value: Any, v: Variant) -> Table:
         """A `Table`."""

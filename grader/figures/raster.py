@@ -1,4 +1,4 @@
-"""PNG from SVG with the fonts of the typst wheel: every machine draws the same bytes."""
+"""A drawing for others: as PNG, with the fonts of the typst wheel, or in the text of a page."""
 
 from base64 import b64encode
 from functools import cache
@@ -41,6 +41,7 @@ def png(svg: str, width: int) -> bytes:
     return cast("bytes", drawn)
 
 
-def data_uri(image: bytes) -> str:
-    """A PNG as a data: URI, for pages and notebook cells that carry their pictures."""
-    return "data:image/png;base64," + b64encode(image).decode("ascii")
+def data_uri(svg: str) -> str:
+    """An SVG on white as a data: URI, for pages and notebook cells that carry their pictures."""
+    on_white = svg.replace("<svg ", '<svg style="background:#fff" ', 1)  # for dark themes
+    return "data:image/svg+xml;base64," + b64encode(on_white.encode()).decode("ascii")

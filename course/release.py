@@ -1,0 +1,169 @@
+"""Files of one student's sheet: those that are not there yet are written, in every format."""
+
+import os
+import signal
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor, as_completed
+from dataclasses import dataclass
+from functools import cache
+from multiprocessing import get_context, parent_process
+from pathlib import Path
+from threading import Thread
+from typing import Any
+
+from ..exercises.exercise import Exercise
+from ..exercises.files.finding import exercise_files, find
+from .config import Format, LimitsTable, PackagesTable, Sheet, Student
+from .files import write_atomically
+from .sheet.assignment import Assignment
+from .sheet.matlab import starter
+from .sheet.notebook import handout_notebook, solution_notebook
+from .typeset.document import Front, handout_data, solution_data
+from .typeset.pdf import pdf
+
+WORTH = 12  # sheets to write that are worth starting processes for
+
+
+@dataclass(frozen=True)
+class Order:
+    """All that the files of one student's sheet follow from, besides the exercises themselves.
+
+    It is plain data, so that another process can write them. `numbers` are those drawn, in the
+    order of the exercises.
+    """
+
+    folder: Path
+    course: str
+    formats: tuple[Format, ...]
+    sheet: Sheet
+    student: Student
+    numbers: tuple[dict[str, Any], ...]
+    code: str
+    limits: LimitsTable
+    packages: PackagesTable
+
+    def released(self, suffix: str) -> Path:
+        """The student's file of that format."""
+        return self.folder / "released" / self.student.id / f"{self.sheet.name}.{suffix}"
+
+    def solution(self, suffix: str) -> Path:
+        """The worked solution in that format."""
+        return self.folder / "solutions" / self.student.id / f"{self.sheet.name}.{suffix}"
+
+    def missing(self) -> list[Path]:
+        """The files that are not there; what is released comes last, once all else is there."""
+        wanted: list[Path] = []
+        if self.sheet.matlab:
+            wanted.append(self.released("m"))
+        wanted += [self.solution(suffix) for suffix in self.formats]
+        wanted += [self.released(suffix) for suffix in reversed(self.formats)]
+        return [path for path in wanted if not path.exists()]
+
+
+def write_solutions(order: Order, exercises: Sequence[Exercise]) -> None:
+    """Writes the worked solutions of an order that are not there, and nothing else.
+
+    Raises:
+        ExerciseError: as `write`.
+        FormulaError: as `write`.
+    """
+    solutions = {order.solution(suffix) for suffix in order.formats}
+    _write(order, exercises, [path for path in order.missing() if path in solutions])
+
+
+def write(order: Order, exercises: Sequence[Exercise]) -> None:
+    """Writes the files of an order that are not there.
+
+    Raises:
+        ExerciseError: an exercise fails on the student's numbers, or explains a part by no steps.
+        FormulaError: a formula cannot be set in a PDF.
+    """
+    _write(order, exercises, order.missing())
+
+
+def _write(order: Order, exercises: Sequence[Exercise], paths: Sequence[Path]) -> None:
+    assignments: list[Assignment] = []
+    for exercise, numbers in zip(exercises, order.numbers, strict=True):
+        assignments.append(Assignment(exercise, numbers))
+
+    makers = _makers(order, assignments)
+    for path in paths:
+        write_atomically(path, makers[path]())
+
+
+def _makers(
+    order: Order, assignments: Sequence[Assignment]
+) -> dict[Path, Callable[[], bytes | str]]:
+    """What makes the content of each file."""
+    about = (order.course, order.sheet, order.student, assignments)
+    front = Front(order.course, order.sheet, order.student, order.code)
+    return {
+        order.released("m"): lambda: starter(*about),
+        order.released("ipynb"): lambda: handout_notebook(*about, order.limits, order.packages),
+        order.solution("ipynb"): lambda: solution_notebook(*about),
+        order.released("pdf"): lambda: pdf(handout_data(front, assignments)),
+        order.solution("pdf"): lambda: pdf(solution_data(front, assignments)),
+    }
+
+
+def write_all(
+    orders: Iterable[Order], exercises: Sequence[Exercise], *, expected: int
+) -> Iterator[None]:
+    """Writes the files of all orders of one sheet, and yields after each order.
+
+    Orders are taken in turn, on as many cores as there are where `expected` of them are worth it.
+
+    Raises:
+        ExerciseError: as `write`; what is finished by then stays.
+        FormulaError: as `write`.
+    """
+    if expected < WORTH:
+        for order in orders:
+            write(order, exercises)
+            yield
+        return
+
+    spawn = get_context("spawn")  # typst does not survive a fork
+    with ProcessPoolExecutor(cores(), spawn, _left_to_the_parent) as pool:
+        try:
+            futures = [pool.submit(_write_there, order) for order in orders]
+            for future in as_completed(futures):
+                future.result()
+                yield
+        finally:
+            pool.shutdown(cancel_futures=True)
+
+
+def _left_to_the_parent() -> None:
+    """Ctrl-C ends the parent, which lets its processes finish the sheets at hand.
+
+    A parent that is killed takes them with it: they would wait for it for ever.
+    """
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    Thread(target=_end_with_the_parent, daemon=True).start()
+
+
+def _end_with_the_parent() -> None:
+    parent = parent_process()
+    if parent is not None:
+        parent.join()
+        os._exit(1)
+
+
+def _write_there(order: Order) -> None:
+    """Writes an order in a process that loads the exercises itself."""
+    write(order, _loaded(order.folder / "exercises", order.sheet.exercises))
+
+
+@cache
+def _loaded(own: Path, slugs: tuple[str, ...]) -> list[Exercise]:
+    """The exercises of a sheet, loaded once in a process that lives no longer than one run."""
+    files = exercise_files(own)
+    return [find(slug, files, own) for slug in slugs]
+
+
+def cores() -> int:
+    """Those that this process may use, where the system says which."""
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1

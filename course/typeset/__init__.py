@@ -1,0 +1,1 @@
+"""Sheets, answer sheets and worked solutions as PDF, set by Typst."""
