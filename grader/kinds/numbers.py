@@ -136,9 +136,11 @@ def _found(asked: Asked, value: Array, right: Mask) -> Iterator[Named]:
         yield Named(sentence, "slip", key="decimals")
     else:
         reversed_sign = np.abs(value + wanted.value) <= wanted.allowed
-        yield from said_of_signs(~right & reversed_sign, ~right)
+        signs = [*said_of_signs(~right & reversed_sign, ~right)]
+        yield from signs
         yield from said_of_exchanged(agrees, value)
-        yield from said_of_one_entry(right)
+        if not signs:
+            yield from said_of_one_entry(right)
 
 
 def _alone(answer: Numbers) -> Alone:

@@ -13,11 +13,11 @@ from ...exercises.answers import Formulas, Manual
 from ...exercises.exercise import Exercise, Part
 from ..kinds.marker import Alone
 from ..kinds.markers import marker_of
-from .verdict import Finding, Verdict
+from .verdict import GUESSABLE, Finding, Verdict
 
 OWN_WORK = 0.2  # of the points for parts that take a student's own numbers
 ALONE = (
-    "By itself it may be guessed: it counts in full as soon as a fifth of the points is earned "
+    f"{GUESSABLE}: it counts in full as soon as a fifth of the points is earned "
     "for the parts of this exercise that are computed with your numbers."
 )
 

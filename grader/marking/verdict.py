@@ -20,7 +20,8 @@ ENTRIES_FOLLOW = "The entries marked right follow"
 COMPARED = "It was compared with what follows"
 NOTHING_FOLLOWS = "Nothing follows"
 CHARGED = "It was charged in"
-ASIDES = (FOLLOWS, ENTRIES_FOLLOW, COMPARED, NOTHING_FOLLOWS, CHARGED)
+GUESSABLE = "By itself it may be guessed"
+ASIDES = (FOLLOWS, ENTRIES_FOLLOW, COMPARED, NOTHING_FOLLOWS, CHARGED, GUESSABLE)
 """How findings start that say what an answer was compared with, not what is wrong with it."""
 
 
