@@ -1,7 +1,7 @@
 """A student's own check of one file: what the sheet's mode allows, from the sheet's numbers."""
 
 import json
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, get_args
@@ -22,6 +22,7 @@ from ..grader.reading.unreadable import entries_named
 from ..solutions.errors import KinegradeError
 from .config import CourseError, LimitsTable, Mode, PackagesTable
 from .drawn import drawn
+from .escape import printable
 from .sheet.notebook import KEY
 from .sheet.submissions import read_submission
 
@@ -32,6 +33,14 @@ NOT_PRINTED = (
     "which is not looked at here"
 )
 NOT_INSTALLED = "an exercise of this course that is not installed here; it is not checked"
+
+TOLD: dict[Mode, str] = {
+    "practice": "Practice sheet: everything is told but the reference values.",
+    "graded": "Graded sheet: this tells whether answers can be read and fit each other, "
+    "not if they are right.",
+    "exam": "Exam sheet: this tells whether answers can be read, nothing more.",
+}
+"""What `check` says of a sheet, by its mode."""
 
 
 @dataclass(frozen=True)
@@ -83,6 +92,16 @@ def check_file(
                 f"{path}: the numbers of {exercise.slug} in this sheet are damaged: {error!r}"
             ) from error
     return handout, found
+
+
+def remark_lines(found: Iterable[Remark]) -> Iterator[str]:
+    """What is shown of remarks: a mark, the part and a sentence, then what was typed."""
+    for remark in found:
+        mark_of = "✓" if remark.ok else "✗"
+        sentence, *typed = remark.text.split("\n")
+        yield f"{mark_of} {remark.part:28} {printable(sentence)}"
+        for line in typed:
+            yield f"{'':30} {printable(line)}"
 
 
 def _folders(path: Path, exercises: Path | None) -> list[Path]:

@@ -32,13 +32,6 @@ app = typer.Typer(
 app.add_typer(marks, name="marks")
 app.add_typer(book, name="gradebook")
 STOPPED = 130  # what typer makes of Ctrl-C
-TOLD = {
-    "practice": "Practice sheet: everything is told but the reference values.",
-    "graded": "Graded sheet: this tells whether answers can be read and fit each other, "
-    "not if they are right.",
-    "exam": "Exam sheet: this tells whether answers can be read, nothing more.",
-}
-"""What `check` says of a sheet, by its mode."""
 
 
 def main() -> None:
@@ -198,22 +191,13 @@ def check(
     ] = None,
 ) -> None:
     """Look at one's own answers, as far as the sheet's mode allows; needs no course folder."""
-    from .check import check_file
-    from .escape import printable
+    from .check import TOLD, check_file, remark_lines
 
     handout, found = check_file(file, sheet, exercises)
-    well = True
-    for remark in found:
-        mark = "✓"
-        if not remark.ok:
-            mark = "✗"
-            well = False
-        sentence, *typed = remark.text.split("\n")
-        print(f"{mark} {remark.part:28} {printable(sentence)}")
-        for line in typed:
-            print(f"{'':30} {printable(line)}")
+    for line in remark_lines(found):
+        print(line)
     say(TOLD[handout.mode])
-    if not well:
+    if not all(remark.ok for remark in found):
         raise typer.Exit(1)
 
 

@@ -24,13 +24,13 @@ def drawn(exercise: Exercise, rng: np.random.Generator) -> dict[str, Any]:
     return _through_json(exercise, _draw(exercise, rng))
 
 
-def prove_drawn(exercise: Exercise, seed: int, numbers: dict[str, Any]) -> None:
-    """Holds what was drawn with a seed against a second draw with it.
+def prove_drawn(exercise: Exercise, rng: np.random.Generator, numbers: dict[str, Any]) -> None:
+    """Holds what was drawn against a second draw with an equal generator.
 
     Raises:
         ExerciseError: JSON changed something, or an equal generator gives other numbers.
     """
-    given = _draw(exercise, np.random.default_rng(seed))
+    given = _draw(exercise, rng)
     again = _through_json(exercise, given)
     if again != given:
         hint = next(_changed("", given), "write numbers, text, lists and dicts with text as keys")

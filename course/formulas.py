@@ -114,6 +114,7 @@ def page_text(text: str) -> str:
     return "".join(pieces)
 
 
+@lru_cache(maxsize=4096)
 def mathml(latex: str, display: str = "inline") -> str:
     """MathML of a formula, inline or as a block."""
     from latex2mathml.converter import convert

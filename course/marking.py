@@ -1,9 +1,8 @@
 """A marking run: progress while it goes, then grades.csv, feedback, report and the table."""
 
 import sys
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from pathlib import Path
-from typing import Any
 
 from rich.console import Console
 from rich.text import Text
@@ -14,13 +13,15 @@ from ..grader.jail.packages import not_installed
 from ..solutions.errors import KinegradeError
 from .config import Course, Sheet
 from .console import progress, say
+from .feedback import write_all_feedback
 from .files import write_atomically
 from .gradebook import Gradebook
+from .grades import SheetResults, grades_csv
 from .grading import Result, SheetMarker, recorded_results
-from .pages import write_feedback, write_report
+from .report import write_report
 from .sheet.submissions import strangers
-from .sheets import asked_parts, exercises_of, renew_solutions
-from .tables import grades_csv, legend, terminal_table
+from .sheets import exercises_of, renew_solutions
+from .tables import legend, terminal_table
 
 Marked = list[tuple[Sheet, list[Result]]]
 """Sheets with the results of the roster."""
@@ -36,6 +37,27 @@ def mark_sheets(
     permission: Permission | None = None,
 ) -> Marked:
     """Marks sheets with a progress bar and writes all that follows from the marks.
+
+    Raises:
+        JailError: there are notebooks to run, and no permitted level works here.
+    """
+    marked = marked_sheets(
+        course, gradebook, sheets, accept_change=accept_change, again=again, permission=permission
+    )
+    write_results(course, gradebook, _with_recorded(course, gradebook, marked))
+    return marked
+
+
+def marked_sheets(
+    course: Course,
+    gradebook: Gradebook,
+    sheets: Sequence[Sheet],
+    *,
+    accept_change: bool = False,
+    again: bool = False,
+    permission: Permission | None = None,
+) -> Marked:
+    """Marks sheets with a progress bar; the marks stand in the gradebook and nowhere else.
 
     Raises:
         JailError: there are notebooks to run, and no permitted level works here.
@@ -60,9 +82,6 @@ def mark_sheets(
             _renew_solutions(course, gradebook, sheet, marker.accepted)
             marked.append((sheet, marker.results(step)))
             _say_absent(sheet, marker.absent)
-    write_results(
-        course, _with_recorded(course, gradebook, marked), level_line(gradebook.noted_level())
-    )
     return marked
 
 
@@ -134,27 +153,21 @@ def write_recorded(course: Course, gradebook: Gradebook) -> Path:
     Raises:
         KinegradeError: no sheet can be read.
     """
-    line = level_line(gradebook.noted_level())
-    return write_results(course, _with_recorded(course, gradebook, []), line)
+    return write_results(course, gradebook, _with_recorded(course, gradebook, []))
 
 
-def write_results(
-    course: Course, marked: Iterable[tuple[Sheet, Sequence[Result]]], level: str = ""
-) -> Path:
+def write_results(course: Course, gradebook: Gradebook, marked: Marked) -> Path:
     """grades.csv, one feedback page per student and sheet, and the report; the report's path."""
-    pages: list[Any] = []
+    sheets: list[SheetResults] = []
     for sheet, results in marked:
-        exercises = exercises_of(course, sheet)
-        name = "grades.csv"
-        if len(course.settings.sheet) > 1:
-            name = f"grades-{sheet.name}.csv"
-        table = grades_csv(results, list(asked_parts(exercises)))
-        write_atomically(course.folder / name, table)
-        for result in results:
-            if result.verdicts:
-                write_feedback(course, sheet, exercises, result)
-        pages.append((sheet, exercises, results))
-    return write_report(course, pages, level)
+        sheets.append(SheetResults(sheet, exercises_of(course, sheet), results))
+    write_atomically(course.folder / "grades.csv", grades_csv(sheets))
+
+    pages = sum(bool(result.verdicts) for sheet in sheets for result in sheet.results)
+    with progress("Writing feedback", pages) as step:
+        for sheet in sheets:
+            write_all_feedback(course, gradebook, sheet, step)
+    return write_report(course, sheets, level_line(gradebook.noted_level()))
 
 
 def show(course: Course, marked: Sequence[tuple[Sheet, Sequence[Result]]], level: str = "") -> None:

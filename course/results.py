@@ -41,6 +41,20 @@ class Result:
         return any(UNSAFE_STAMP in verdict.findings for verdict in self.verdicts)
 
     @property
+    def status(self) -> str:
+        """graded, not_graded or no_submission."""
+        if self.points is not None:
+            return "graded"
+        if self.verdicts:
+            return "not_graded"
+        return "no_submission"
+
+    @property
+    def earned(self) -> dict[str, float | None]:
+        """Points by part; None where a part waits for its mark."""
+        return {verdict.part: verdict.points for verdict in self.verdicts}
+
+    @property
     def out_of(self) -> float:
         """Points that could be had."""
         return sum(verdict.out_of for verdict in self.verdicts)

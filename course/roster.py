@@ -17,10 +17,11 @@ COLUMNS = ("student", "name")
 
 @dataclass(frozen=True)
 class Student:
-    """One line of roster.csv."""
+    """One line of roster.csv; `more` are its other columns, name and text of each."""
 
     id: str
     name: str
+    more: tuple[tuple[str, str], ...] = ()
 
 
 def read_roster(path: Path) -> Iterator[Student]:
@@ -34,6 +35,7 @@ def read_roster(path: Path) -> Iterator[Student]:
     text = text_of(path, "a course folder takes a roster.csv with the columns student,name")
     rows = csv_rows(path, text)
     columns = _columns(path, rows)
+    others = [column for column in columns if column not in ("", *COLUMNS)]
     seen: dict[str, int] = {}
     for row in rows:
         cells = _cells(path, row, columns)
@@ -46,17 +48,21 @@ def read_roster(path: Path) -> Iterator[Student]:
         if folder in seen:
             raise CourseError(f"{place}: student {student!r} is already in line {seen[folder]}")
         seen[folder] = row.first
-        yield Student(student, cells["name"] or student)
+        more = [(column, text) for column, text in cells.items() if column in others]
+        yield Student(student, cells["name"] or student, tuple(more))
 
 
 def _columns(path: Path, rows: Iterator[Row]) -> list[str]:
-    """The names in the first line that is not empty, in small letters."""
+    """The names in the first line that is not empty; those that we look for in small letters."""
     heading: list[str] = []
     for row in rows:
         heading = [cell.strip() for cell in row.cells]
         if any(heading):
             break
-    columns = [cell.lower() for cell in heading]
+    columns: list[str] = []
+    for cell in heading:
+        small = cell.lower()
+        columns.append(small if small in COLUMNS else cell)
     found = ", ".join(heading) or "nothing"
     for column in COLUMNS:
         if columns.count(column) == 0:

@@ -42,13 +42,13 @@ def rules_hash(path: Path) -> str:
         names += imports(text, _name(folder))
 
     lines = [source.hash]
-    for name, text in sorted(_reached(names).items()):
+    for name, text in sorted(reached(names).items()):
         lines.append(f"{name} {hashlib.sha256(text).hexdigest()}")
     return hashlib.sha256("\n".join(lines).encode()).hexdigest()
 
 
-def _reached(names: Iterable[str]) -> dict[str, bytes]:
-    """The texts of those names that are modules of ours, of what these import, and so on."""
+def reached(names: Iterable[str]) -> dict[str, bytes]:
+    """The texts, by name, of those that are modules of ours, of what these import, and so on."""
     known = _modules()
     found: dict[str, bytes] = {}
     waiting = [*names]

@@ -1,7 +1,5 @@
-"""Results as a table on the terminal, as grades.csv, and as JSON."""
+"""Results as a table on the terminal and as JSON."""
 
-import csv
-import io
 import json
 from collections.abc import Sequence
 from typing import Any
@@ -13,7 +11,7 @@ from rich.text import Text
 from ..exercises.exercise import Exercise, Manual
 from ..grader.marking.verdict import STATUS_WORDS, Status
 from .console import say
-from .escape import for_spreadsheet, printable
+from .escape import printable
 from .grading import Result
 from .marks import ByHand
 
@@ -117,55 +115,6 @@ def remark(result: Result, *, public: bool = False) -> str:
     return ""
 
 
-def grades_csv(results: Sequence[Result], parts: Sequence[str]) -> str:
-    """Every cell quoted; a grade that is not there is empty, never a zero."""
-    out = io.StringIO()
-    writer = csv.writer(out, quoting=csv.QUOTE_ALL, lineterminator="\n")
-    stamped = any(result.unsafe for result in results)
-    stamp = ["level"] if stamped else []
-    writer.writerow(["student", "name", "sheet", "status", "points", "out_of", *parts, *stamp])
-    for result in results:
-        out_of = None
-        if result.verdicts:
-            out_of = result.out_of
-        earned = {verdict.part: verdict.points for verdict in result.verdicts}
-        writer.writerow(
-            [
-                result.student.id,
-                for_spreadsheet(result.student.name),
-                result.sheet,
-                status(result),
-                _number(result.points),
-                _number(out_of),
-                *[_number(earned.get(part)) for part in parts],
-                *_stamp(result, stamped=stamped),
-            ]
-        )
-    return out.getvalue()
-
-
-def _stamp(result: Result, *, stamped: bool) -> list[str]:
-    """What a line says of how its notebook was run, in a table where one ran without walls."""
-    if not stamped:
-        return []
-    return ["unsafe" if result.unsafe else ""]
-
-
-def _number(points: float | None) -> str:
-    if points is None:
-        return ""
-    return f"{points:g}"
-
-
-def status(result: Result) -> str:
-    """graded, not_graded or no_submission."""
-    if result.points is not None:
-        return "graded"
-    if result.verdicts:
-        return "not_graded"
-    return "no_submission"
-
-
 def results_json(results: Sequence[Result]) -> str:
     """Everything a script would want."""
     return json.dumps([_result_json(result) for result in results], indent=2)
@@ -175,7 +124,7 @@ def _result_json(result: Result) -> dict[str, Any]:
     return {
         "student": result.student.id,
         "sheet": result.sheet,
-        "status": status(result),
+        "status": result.status,
         "points": result.points,
         "out_of": result.out_of,
         "reason": result.reason,

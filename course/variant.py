@@ -12,10 +12,13 @@ import numpy as np
 
 from ..exercises.exercise import Exercise, ExerciseError, Part, references
 from ..exercises.files.loading import stopped
+from ..grader.telling.look import Look
+from ..grader.telling.objections import objections
 from ..solutions.errors import KinegradeError
 from .drawn import drawn
 
 ATTEMPTS = 1000
+REFUSED = 16  # draws that cannot tell right from wrong, after which the best of them is taken
 log = logging.getLogger(__name__)
 
 
@@ -39,16 +42,20 @@ def draw_record(
     taken: Collection[str],
     pinned: Mapping[str, Any] | None = None,
 ) -> Record:
-    """The first attempt with the `pinned` choices of form whose numbers nobody else has.
+    """The first attempt with the `pinned` choices of form that can be handed out.
 
-    `taken` holds recorded numbers as `canonical` text.
+    That is one whose numbers nobody else has, and which tells right from wrong
+    (grader/telling/objections.py). Where many could not, as on an arm with lengths that a few
+    decimals hardly show, it is the one against which least speaks. `taken` holds recorded numbers
+    as `canonical` text.
 
     Raises:
         ExerciseError: a thousand attempts drew nothing new, as the exercise has too few variants
-            for the class; or none had what is pinned; or what was drawn cannot be solved.
+            for the class; none had what is pinned; or what was drawn cannot be solved.
     """
     pins = pinned or {}
     seen: dict[str, set[str]] = {name: set() for name in pins}
+    refused: list[tuple[int, Record]] = []
     fitting = 0
     for attempt in range(ATTEMPTS):
         numbers = drawn(exercise, generator(secret, sheet, exercise.slug, student, attempt))
@@ -57,10 +64,18 @@ def draw_record(
         if not _fits(numbers, pins):
             continue
         fitting += 1
-        if canonical(numbers) not in taken:
-            answers = _solved(student, exercise, numbers)
-            return Record(student, sheet, exercise.slug, attempt, numbers, answers)
+        if canonical(numbers) in taken:
+            continue
+        answers, against = _solved(student, exercise, numbers)
+        record = Record(student, sheet, exercise.slug, attempt, numbers, answers)
+        if not against:
+            return record
+        refused.append((against, record))
+        if len(refused) == REFUSED:
+            break
 
+    if refused:
+        return min(refused, key=_objections)[1]
     if fitting:
         raise ExerciseError(
             f"exercise {exercise.slug}: {ATTEMPTS} draws gave no new numbers; draw from a wider set"
@@ -70,6 +85,10 @@ def draw_record(
         f"sheet {sheet}: {ATTEMPTS} draws of {exercise.slug} never gave what is pinned: "
         f"{'; '.join(gave)}"
     )
+
+
+def _objections(refused: tuple[int, Record]) -> int:
+    return refused[0]
 
 
 def _fits(numbers: Mapping[str, Any], pins: Mapping[str, Any]) -> bool:
@@ -91,9 +110,14 @@ def canonical(numbers: Any) -> str:
     return json.dumps(numbers, sort_keys=True, separators=(",", ":"))
 
 
-def _solved(student: str, exercise: Exercise, numbers: dict[str, Any]) -> dict[str, Any]:
+def _solved(
+    student: str, exercise: Exercise, numbers: dict[str, Any]
+) -> tuple[dict[str, Any], int]:
+    """The fingerprint of a draw, and how much speaks against it."""
     try:
-        return fingerprint(exercise, numbers)
+        look = Look(exercise, numbers)
+        answers = fingerprint(exercise, numbers, look.key.reference)
+        return answers, len([*objections(look)])
     except KinegradeError:
         raise
     except Exception as error:
@@ -104,12 +128,16 @@ def _solved(student: str, exercise: Exercise, numbers: dict[str, Any]) -> dict[s
         ) from error
 
 
-def fingerprint(exercise: Exercise, numbers: dict[str, Any]) -> dict[str, Any]:
+def fingerprint(
+    exercise: Exercise, numbers: dict[str, Any], answers: Mapping[str, Any] | None = None
+) -> dict[str, Any]:
     """Every reference answer that can be pictured as numbers, rounded to 1e-9.
 
-    It moves when a file, a row of a robot or a library changes an answer.
+    It moves when a file, a row of a robot or a library changes an answer. `answers` are the
+    reference answers, where they are known already.
     """
-    answers = references(exercise, numbers)
+    if answers is None:
+        answers = references(exercise, numbers)
     pictures: dict[str, Any] = {}
     for part in exercise.parts:
         picture = _picture(part, answers[part.variable], numbers)

@@ -166,7 +166,10 @@ class Exercise:
     the report; `arm(v)` is the robot as one student has it, from which known mistakes of any arm
     are computed. `rows` is the order of rows in every Jacobian and twist of the exercise: what the
     sheet says of it and what findings say follow it; `solve` and the units of an answer stand in
-    that order themselves. `solved_drawings` are the figures that only the worked solution shows.
+    that order themselves. `factors(v)` are values of the factors of the robot's determinant at the
+    drawn q. `harder` gives, by names in `structure`, the choices that take more work than the
+    others, for the instructor to know. `solved_drawings` are the figures that only the worked
+    solution shows.
     """
 
     slug: str
@@ -188,18 +191,26 @@ class Exercise:
     rows: Rows = "linear, angular"
     named: tuple[str, ...] = ()
     solved_drawings: Callable[[Variant], tuple[Drawing, ...]] = field(default=lambda _: ())
+    factors: Callable[[Variant], ArrayLike] | None = None
+    harder: Mapping[str, Sequence[Any]] = field(default_factory=dict[str, Sequence[Any]])
 
     def __post_init__(self) -> None:
         """Refuse what could not be collected, marked or printed.
 
         Raises:
             ExerciseError: a variable that is not unique, a need that is not an earlier part, points
-                that are not positive, a prompt that is missing, a unit that is unknown, or another
-                order of rows.
+                that are not positive, a prompt that is missing, a unit that is unknown, another
+                order of rows, or choices called harder under a name that is not in structure.
         """
         if self.rows not in get_args(Rows):
             orders = " or ".join(map(repr, get_args(Rows)))
             raise ExerciseError(f"exercise {self.slug}: rows takes {orders}, got {self.rows!r}")
+
+        for name in self.harder:
+            if name not in self.structure:
+                raise ExerciseError(
+                    f"exercise {self.slug}: harder takes names that stand in structure, got {name}"
+                )
 
         for name, unit in self.units.items():
             _check_units(f"exercise {self.slug}: units of {name}", unit)

@@ -43,7 +43,7 @@ from ..solutions.errors import nearest
 from ..solutions.robot import Robot
 from ..solutions.robots import ROBOTS
 from .answers import Answer, TableOf, Variant
-from .arm import Arm, arm_of, units_of
+from .arm import Arm, Array, arm_of, units_of
 from .contract.introduction import home_and_now, off_the_drawing
 from .contract.names import Function, Names
 from .contract.question import Question, Wrong, put_on_sheet
@@ -145,7 +145,7 @@ def exercise(
         scale: A typical length [m], by default the size of the arm.
         rows: The order of the rows of a twist.
         robot_map: A robot of the catalogue whose map stands in the report.
-        about: `objectives`, `minutes` and `symbols` of `Exercise`.
+        about: `objectives`, `minutes`, `symbols` and `harder` of `Exercise`.
 
     Raises:
         ExerciseError: a name stands for nothing, or the file breaks the contract otherwise.
@@ -185,6 +185,7 @@ def exercise(
         rows=rows,
         named=(*own_units, *unprinted),
         robot=robot_map,
+        factors=_factors(names.arm),
         **about,
     )
 
@@ -214,6 +215,12 @@ def _arm(
         return lambda v: arm_of(robot, v, sizes)
     bound = names.bound(robot, "the robot")
     return lambda v: arm_of(bound(names, v, {}), v, sizes)
+
+
+def _factors(arm: Callable[[Variant], Arm] | None) -> Callable[[Variant], Array] | None:
+    if arm is None:
+        return None
+    return lambda v: arm(v).factors
 
 
 def _questions(

@@ -18,6 +18,12 @@ for variable in ("KINEGRADE_SECRET", "KINEGRADE_GRADEBOOK"):
     os.environ.pop(variable, None)  # whoever runs the tests may have a course
 
 
+@pytest.fixture(autouse=True, scope="session")
+def own_cache(tmp_path_factory):
+    """Maps that tests draw are kept for the tests alone."""
+    os.environ["XDG_CACHE_HOME"] = str(tmp_path_factory.mktemp("cache"))
+
+
 @pytest.fixture(params=SLUGS)
 def exercise(request):
     """Every exercise file, ours today and those to come."""

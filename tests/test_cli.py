@@ -21,8 +21,8 @@ def folder(class_of_three):
     return class_of_three.folder
 
 
-def grades(folder, name="grades.csv"):
-    with (folder / name).open(encoding="utf-8", newline="") as file:
+def grades(folder):
+    with (folder / "grades.csv").open(encoding="utf-8-sig", newline="") as file:
         return {row["student"]: row for row in csv.DictReader(file)}
 
 
@@ -160,11 +160,11 @@ def test_grading_one_sheet_keeps_the_others_in_grades_and_report(kinegrade, tmp_
     assert kinegrade("grade", "-c", tmp_path).code == 0
     ran = kinegrade("grade", "two", "-c", tmp_path)
     assert "Sheet one" not in ran.out
-    assert grades(tmp_path, "grades-one.csv")["ada"]["points"] == "5"
-    assert grades(tmp_path, "grades-two.csv")["ben"]["points"] == "5"
+    assert grades(tmp_path)["ada"]["one_points"] == "5"
+    assert grades(tmp_path)["ben"]["two_points"] == "5"
     report = (tmp_path / "report" / "index.html").read_text(encoding="utf-8")
-    assert "<h2>Sheet one</h2>" in report
-    assert "<h2>two</h2>" in report
+    assert '<h2 id="one">Sheet one</h2>' in report
+    assert '<h2 id="two">two</h2>' in report
 
 
 def test_a_broken_sheet_does_not_keep_another_from_being_marked(kinegrade, folder):
@@ -173,7 +173,7 @@ def test_a_broken_sheet_does_not_keep_another_from_being_marked(kinegrade, folde
     settings.write_text(settings.read_text(encoding="utf-8") + broken, encoding="utf-8")
     ran = kinegrade("grade", "one", "-c", folder)
     assert ran.code == 0
-    assert grades(folder, "grades-one.csv")["ada"]["points"] == "5"
+    assert grades(folder)["ada"]["one_points"] == "5"
     assert "Sheet two is left out of the report: there is no exercise 'leever'" in ran.err
 
 
@@ -192,7 +192,7 @@ def test_report_leaves_a_broken_exercise_out_as_grading_does(kinegrade, tmp_path
         f"Sheet two is left out of the report: {stick}: the exercise file stopped with ZeroDiv"
     )
     assert (graded.code, reported.code, reported.err.splitlines()) == (0, 0, [said])
-    assert grades(tmp_path, "grades-one.csv")["ada"]["points"] == "5"
+    assert grades(tmp_path)["ada"]["one_points"] == "5"
 
 
 def test_who_is_not_on_the_roster_is_mentioned(kinegrade, folder):

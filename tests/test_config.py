@@ -248,5 +248,10 @@ def test_a_roster_that_cannot_be_meant_is_refused_with_what_and_where(tmp_path, 
     assert words in str(error.value)
 
 
+def test_other_columns_of_a_roster_are_kept_in_their_order(tmp_path):
+    (ada,) = roster(tmp_path, "group,student,name,Matrikel\n=A,ada,Ada, 007 \n")
+    assert ada.more == (("group", "=A"), ("Matrikel", "007"))
+
+
 def test_a_roster_without_students_is_empty(tmp_path):
     assert roster(tmp_path, "student,name\n") == []

@@ -29,8 +29,13 @@ MISTAKES = {
 
 
 def grades(folder, sheet):
-    with (folder / f"grades-{sheet}.csv").open(encoding="utf-8", newline="") as file:
-        return {row["student"]: row for row in csv.DictReader(file)}
+    """Every student's line of grades.csv, the columns of that sheet without its name."""
+    found = {}
+    with (folder / "grades.csv").open(encoding="utf-8-sig", newline="") as file:
+        for row in csv.DictReader(file):
+            own = {name.removeprefix(f"{sheet}_"): text for name, text in row.items()}
+            found[row["student"]] = own
+    return found
 
 
 def share(row):

@@ -52,14 +52,14 @@ def test_the_error_is_of_second_order():
 def test_the_wish_is_small_and_its_error_large_enough_to_be_asked(seed):
     v = draw(np.random.default_rng(seed))
     error = np.abs(references(EXERCISE, v)["three_axis_error"])
-    assert 0.018 <= np.linalg.norm(v["dp"]) <= 0.024
+    assert 0.026 <= np.linalg.norm(v["dp"]) <= 0.036
     assert error.min() >= 2e-5
     assert np.linalg.norm(error) <= 0.004
 
 
 def test_an_error_from_a_rounded_dq_is_right_from_that_dq():
     v = variant_of("three_axis", 2)
-    dq = np.round(references(EXERCISE, v)["three_axis_dq"], 5)
+    dq = np.round(references(EXERCISE, v)["three_axis_dq"], 6)
     q = np.array(v["q"])
     error = tool_point(v, q + dq) - tool_point(v, q) - v["dp"]
     found = verdicts_of(v, {"three_axis_dq": dq, "three_axis_error": error})

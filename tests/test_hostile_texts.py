@@ -85,7 +85,8 @@ def test_no_control_character_reaches_a_page(graded):
     for page in pages:
         text = page.read_text(encoding="utf-8")
         assert UNPRINTABLE.findall(text) == [], page
-        assert "<script" not in text
+        ours = text.count("<script>") if page.parent.name == "report" else 0
+        assert text.count("<script") == ours <= 1  # the report's own
         assert "<img src=x" not in text
 
 

@@ -43,7 +43,9 @@ def course(tmp_path, kinegrade):
 
 def points_of(course, kinegrade):
     kinegrade("report", "--course", course.folder)
-    rows = csv.DictReader((course.folder / "grades.csv").read_text(encoding="utf-8").splitlines())
+    rows = csv.DictReader(
+        (course.folder / "grades.csv").read_text(encoding="utf-8-sig").splitlines()
+    )
     return {
         row["student"]: (row["status"], row["points"], row["lever_why"], row["lever_sketch"])
         for row in rows

@@ -13,6 +13,7 @@ import pytest
 from answers import EXERCISES, flat, telling, variant_of
 from courses import BUNDLED, exercise_of, lever, sheet
 from kinegrade.course.config import Student
+from kinegrade.course.demo import fill_in
 from kinegrade.course.sheet.assignment import Assignment
 from kinegrade.course.sheet.given import given_cell, printed
 from kinegrade.course.sheet.notebook import notebooks
@@ -87,6 +88,26 @@ def test_a_sheet_as_handed_out_runs_from_top_to_bottom_in_jupyter(bundled_course
     asked = [part.variable for slug in BUNDLED for part in EXERCISES[slug].asked]
     assert [line.split()[0] for line in said.splitlines()] == asked
     assert said.count("not answered yet") == len(asked)
+
+
+def test_an_error_in_an_answer_does_not_keep_run_all_from_the_self_check(tmp_path):
+    handout, _ = quick(tmp_path)
+    notebook = nbformat.reads(fill_in(handout, {"lever_p": "1 / 0"}).decode(), 4)
+    NotebookClient(notebook, timeout=None).execute()
+    outputs = [output for cell in notebook.cells for output in cell.get("outputs", [])]
+    assert [output.output_type for output in outputs] == ["error", "stream"]
+    assert outputs[-1].text.count("not answered yet") == 2
+
+
+def test_the_statement_is_seen_first_and_the_self_check_last_and_folded(tmp_path):
+    handout, solution = quick(tmp_path)
+    cells = json.loads(handout)["cells"]
+    folded = [cell for cell in cells if cell["metadata"].get("jupyter", {}).get("source_hidden")]
+    assert folded == [cells[-1]]
+    assert "hide-input" in folded[0]["metadata"]["tags"]
+    before = [cell for cell in cells[:-1] if cell["cell_type"] == "code"]
+    assert max(len("".join(cell["source"]).splitlines()) for cell in before) < 6
+    assert b"source_hidden" not in solution
 
 
 def marked(written, exercise, v):

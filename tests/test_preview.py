@@ -41,7 +41,7 @@ def test_a_preview_shows_sheet_solution_and_every_known_mistake(slug):
     assert f"after {exercise.source}. It holds answers" in html
     assert html.count("<summary>Worked solution</summary>") == len(exercise.asked)
     assert not re.search(
-        r"\$|@[a-z]+@|<[a-z_]+_[a-z]+>", re.sub(r"<pre>.*?</pre>", "", html, flags=re.DOTALL)
+        r"\$|@[a-z]+@|<[a-z_]+_[a-z]+>", re.sub(r"<pre[^>]*>.*?</pre>", "", html, flags=re.DOTALL)
     )
     for part in exercise.asked:
         assert f"<code>{part.variable}</code>" in html
@@ -55,7 +55,7 @@ def test_a_preview_shows_sheet_solution_and_every_known_mistake(slug):
         len(part.mistakes) for part in exercise.asked if not isinstance(part.answer, Manual)
     )
     assert '<section class="part correct">' not in html
-    assert "http" not in re.sub(r"http://www.w3.org/\S+", "", html)
+    assert "://" not in re.sub(r"http://www.w3.org/\S+", "", html)
 
 
 def test_a_new_exercise_is_previewed_where_it_was_written(kinegrade, tmp_path, monkeypatch):

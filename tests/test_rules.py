@@ -133,7 +133,7 @@ def reached():
     for path in exercise_files().values():
         names += rules.imports(path.read_bytes(), "kinegrade.exercises.catalogue")
     known = rules._modules()
-    return {known[name].relative_to(ROOT) for name in rules._reached(names)}
+    return {known[name].relative_to(ROOT) for name in rules.reached(names)}
 
 
 def test_all_that_is_loaded_to_mark_our_exercises_is_in_their_hashes():

@@ -55,6 +55,7 @@ ROOMS = {
     "grader/marking": ENGINE
     | {"exercises", "exercises/kinds", "grader/collecting", "grader/reading", "grader/kinds"}
     | {"grader/diagnosis"},
+    "grader/telling": ENGINE | {"exercises", "grader/kinds", "grader/marking"},
     "grader/figures": ENGINE | {"exercises"},
     # Settings and words at the bottom, sheets above them, proofs above sheets, the command on top.
     "course/ground": ENGINE | {"grader/collecting"},
@@ -68,11 +69,12 @@ ROOMS = {
     "course": ENGINE
     | {"course/ground", "course/sheet", "course/typeset", "course/ledger"}
     | {"exercises", "exercises/files"}
-    | {"grader/collecting", "grader/jail", "grader/reading", "grader/marking", "grader/figures"},
+    | {"grader/collecting", "grader/jail", "grader/reading", "grader/marking", "grader/telling"}
+    | {"grader/figures"},
     "course/proof": ENGINE
     | {"course", "course/ground", "course/sheet", "course/typeset"}
     | {"exercises", "exercises/files"}
-    | {"grader/collecting", "grader/jail", "grader/kinds", "grader/marking"},
+    | {"grader/collecting", "grader/jail", "grader/kinds", "grader/marking", "grader/telling"},
     "course/command": ENGINE
     | {"course", "course/ground", "course/sheet", "course/proof", "exercises", "exercises/files"}
     | {"grader/figures", "grader/jail"},
@@ -232,12 +234,11 @@ def test_every_import_is_a_declared_dependency():
 def test_the_package_list_is_the_folders():
     """An unlisted sub-package works in an editable installation and is missing from the wheel."""
     folders = sorted({str(path.parent) for path in MODULES})
-    assert sorted(SETUPTOOLS["packages"]) == [
-        f"kinegrade.{folder.replace('/', '.')}" for folder in folders
-    ]
-    assert SETUPTOOLS["package-dir"] == {
-        f"kinegrade.{folder.replace('/', '.')}": folder for folder in folders
-    }
+    named = {f"kinegrade.{folder.replace('/', '.')}": folder for folder in folders}
+    named["kinegrade"] = "kinegrade"  # what `%load_ext kinegrade` loads, and nothing else
+    assert sorted(SETUPTOOLS["packages"]) == sorted(named)
+    assert SETUPTOOLS["package-dir"] == named
+    assert [path.name for path in (ROOT / "kinegrade").glob("*.py")] == ["__init__.py"]
     assert all((ROOT / folder / "__init__.py").exists() for folder in folders)
 
 

@@ -1,6 +1,5 @@
-"""Results on the terminal, in grades.csv and as JSON: nothing in them is obeyed, and what waits is never a zero."""
+"""Results on the terminal and as JSON: nothing in them is obeyed, and what waits is never a zero."""
 
-import csv
 import io
 import json
 
@@ -10,19 +9,16 @@ from kinegrade.course.config import Student
 from kinegrade.course.grading import Result
 from kinegrade.course.tables import (
     MARKS,
-    grades_csv,
     legend,
     remark,
     result_text,
     results_json,
-    status,
     terminal_table,
 )
 from kinegrade.grader.marking.verdict import STATUS_WORDS, Finding, Verdict, not_graded
 from rich.console import Console
 
 ADA = Student("ada", "Ada Lovelace")
-PARTS = ("lever_p", "lever_J")
 
 
 def result(*verdicts, student=ADA, reason=""):
@@ -37,10 +33,6 @@ def printed(tmp_path, results, *, width=140, color=False):
     console = Console(width=width, file=io.StringIO(), force_terminal=color, legacy_windows=False)
     console.print(terminal_table(results, [lever(tmp_path)]))
     return console.file.getvalue()
-
-
-def rows(results):
-    return list(csv.DictReader(io.StringIO(grades_csv(results, PARTS))))
 
 
 def test_every_status_has_a_mark_of_its_own_and_a_word():
@@ -113,7 +105,7 @@ def test_a_remark_is_shown_as_text_and_never_obeyed(tmp_path, text, color):
 )
 def test_what_waits_is_never_a_zero(verdicts, points, word):
     assert result_text(result(*verdicts)) == points
-    assert status(result(*verdicts)) == word
+    assert result(*verdicts).status == word
 
 
 def test_a_remark_is_the_sentence_without_the_typed_lines_behind_it(tmp_path):
@@ -145,45 +137,6 @@ def test_a_remark_for_students_leaves_out_what_is_private():
     assert remark(found, public=True) == "lever_J: open"
     assert remark(result(reason="why")) == "why"
     assert remark(result()) == ""
-
-
-def test_grades_are_quoted_one_row_per_student_with_a_column_per_part():
-    text = grades_csv([result(verdict(), verdict("lever_J", "partly", 1.25))], PARTS)
-    assert text == (
-        '"student","name","sheet","status","points","out_of","lever_p","lever_J"\n'
-        '"ada","Ada Lovelace","one","graded","3.25","4","2","1.25"\n'
-    )
-
-
-def test_a_grade_that_is_not_there_is_empty():
-    waiting, absent = rows(
-        [result(verdict(), not_graded("lever_J", 3, "wait")), result(student=Student("ben", "B"))]
-    )
-    assert (waiting["points"], waiting["out_of"], waiting["lever_p"], waiting["lever_J"]) == (
-        "",
-        "5",
-        "2",
-        "",
-    )
-    assert (absent["points"], absent["out_of"], absent["lever_p"], absent["status"]) == (
-        "",
-        "",
-        "",
-        "no_submission",
-    )
-
-
-@pytest.mark.parametrize(
-    "name", ["=1+1", "+cmd|' /C calc'!A0", "-2", "@SUM(A1)", "\t=1", "\r=1", "'=1"]
-)
-def test_a_name_is_never_run_by_a_spreadsheet(name):
-    shown = name.replace("\r", "\n")
-    assert rows([result(student=Student("ada", name))])[0]["name"] == f"'{shown}"
-
-
-@pytest.mark.parametrize("name", ['Bot, "Ben"', "O'Brien", "Ada\nLovelace", "Zoë;x", "<b>&amp;"])
-def test_a_name_comes_back_as_it_is(name):
-    assert rows([result(student=Student("ada", name))])[0]["name"] == name
 
 
 def test_json_holds_everything_a_script_would_want():

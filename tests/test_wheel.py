@@ -86,7 +86,7 @@ def holds(wheel):
 
 def checked_out():
     return {
-        f"kinegrade/{path.relative_to(ROOT).as_posix()}"
+        f"kinegrade/{path.relative_to(ROOT).as_posix().removeprefix('kinegrade/')}"
         for package in SOURCES[3:]
         for path in (ROOT / package).rglob("*")
         if path.is_file() and "__pycache__" not in path.parts

@@ -7,7 +7,16 @@ import venv
 from pathlib import Path
 
 ROOT = Path(__file__).parents[1]
-SOURCES = ("pyproject.toml", "LICENSE", "README.md", "course", "exercises", "grader", "solutions")
+SOURCES = (
+    "pyproject.toml",
+    "LICENSE",
+    "README.md",
+    "course",
+    "exercises",
+    "grader",
+    "solutions",
+    "kinegrade",
+)
 PYTEST = """#!{python}
 import sys
 

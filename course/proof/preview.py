@@ -12,8 +12,9 @@ from ...grader.kinds.markers import handed_in
 from ...grader.marking.answer_key import AnswerKey
 from ...grader.marking.mark import mark
 from ..drawn import drawn
+from ..feedback import feedback_block
 from ..markdown import markdown_html
-from ..pages import feedback_block, template
+from ..pages import template
 from ..sheet.assignment import Assignment
 from ..sheet.given import given_cell
 from ..sheet.question import prompt_text, question_text

@@ -15,10 +15,11 @@ import numpy as np
 from ...exercises.exercise import ExerciseError
 from ...exercises.files.finding import exercise_files, find, load, own_files
 from ..config import CourseError, read_settings
-from ..drawn import drawn, prove_drawn
+from ..drawn import drawn
 from ..variant import canonical
 from .draw import Failure, because, failures_of
 from .guessing import guess_failures
+from .telling import Telling, accepted, all_told, told
 from .validation import ENOUGH, KINDS, Looked, Validation, summary, together
 
 __all__ = ["KINDS", "Validation", "chosen", "summary", "validate", "validate_file"]
@@ -103,7 +104,7 @@ def _with_guesses(paths: Sequence[Path], validations: Sequence[Validation]) -> l
     completed: list[Validation] = []
     for path, validation in zip(paths, validations, strict=True):
         more = found.get(path, [])
-        completed.append(replace(validation, failures=(*validation.failures, *more)))
+        completed.append(replace(validation, guessing=tuple(more)))
     return completed
 
 
@@ -124,8 +125,7 @@ def _validated(paths: Sequence[Path], draws: int, step: Callable[[int], None]) -
 
 def validate_file(path: Path, draws: int) -> Validation:
     """The validation of one exercise file, in this process."""
-    (validation,) = _with_guesses([path], [together([_look_at(path, range(draws))])])
-    return validation
+    return together([_look_at(path, range(draws))])
 
 
 def _one(path: Path, draws: int, step: Callable[[int], None]) -> Validation:
@@ -197,13 +197,15 @@ def _look_at(path: Path, seeds: Sequence[int]) -> Looked:
 
     failures: list[Failure] = []
     texts: list[str] = []
+    telling: list[Telling] = []
     slowest = 0.0
     for seed in seeds:
         try:
             start = time.perf_counter()
-            v = drawn(exercise, np.random.default_rng(seed))
+            drawn(exercise, np.random.default_rng(seed))
             slowest = max(slowest, time.perf_counter() - start)
-            prove_drawn(exercise, seed, v)
+            v, refused = accepted(exercise, seed)
+            telling.append(told(exercise, v, refused))
             texts.append(canonical(v))
             failures += failures_of(exercise, v, seed)
         except Exception as error:  # noqa: BLE001 - whatever an exercise file raises is the finding
@@ -217,5 +219,7 @@ def _look_at(path: Path, seeds: Sequence[int]) -> Looked:
         tuple(failures),
         exercise.named,
         exercise.source,
+        all_told(telling),
+        exercise.harder,
     )
     return validation, texts

@@ -1,10 +1,12 @@
 """What validating one exercise found: its failures, chunk after chunk put together."""
 
 import json
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any
 
 from .draw import Failure
+from .telling import Telling, all_told
 
 KINDS = (
     "solve",
@@ -15,7 +17,6 @@ KINDS = (
     "render",
     "solution",
     "variants",
-    "guessing",
 )
 ENOUGH = 10  # draws in which everything that some variants have should be seen
 MOST_ALIKE = 0.05  # share of draws that may repeat an earlier one
@@ -23,7 +24,11 @@ MOST_ALIKE = 0.05  # share of draws that may repeat an earlier one
 
 @dataclass(frozen=True)
 class Validation:
-    """What looking at some draws of one exercise found."""
+    """What looking at some draws of one exercise found.
+
+    What guessing earns too much of is told in `guessing` and is no failure: whether it matters is
+    for the instructor to say.
+    """
 
     slug: str
     parts: int
@@ -33,6 +38,9 @@ class Validation:
     failures: tuple[Failure, ...]
     named: tuple[str, ...] = ()
     source: str = ""
+    telling: Telling = field(default_factory=Telling)
+    harder: Mapping[str, Sequence[Any]] = field(default_factory=dict[str, Sequence[Any]])
+    guessing: tuple[Failure, ...] = ()
 
 
 Looked = tuple[Validation, list[str]]
@@ -52,6 +60,7 @@ def together(results: Sequence[Looked]) -> Validation:
         first,
         draws=sum(validation.draws for validation, _ in results),
         seconds_to_draw=max(validation.seconds_to_draw for validation, _ in results),
+        telling=all_told([validation.telling for validation, _ in results]),
         failures=(*failures, *_alike(texts), *_never_drawn(first.named, texts)),
     )
 
@@ -83,14 +92,14 @@ def _never_drawn(named: Sequence[str], texts: Sequence[str]) -> Iterator[Failure
 def summary(validation: Validation) -> Iterator[str]:
     """One line for every part and kind of failure: how often, and the first of it."""
     groups: dict[tuple[str, str], list[Failure]] = {}
-    for failure in validation.failures:
+    for failure in (*validation.failures, *validation.guessing):
         groups.setdefault((failure.kind, failure.part), []).append(failure)
 
     for (kind, part), failures in groups.items():
         where = [kind]
         if part:
             where.append(part)
-        if validation.draws:  # else the file could not be loaded
+        if validation.draws and kind != "guessing":  # else the file could not be loaded
             draws = {failure.seed for failure in failures}
             where.append(f"in {len(draws)} of {validation.draws} draws, first {min(draws)}")
         yield f"{', '.join(where)}: {failures[0].sentence}"

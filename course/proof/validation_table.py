@@ -11,6 +11,7 @@ from rich.markup import escape
 from rich.table import Table
 
 from ..console import say
+from .telling_table import telling_lines, telling_table
 from .validation import KINDS, Validation, summary
 
 WIDE = 180  # columns, where no terminal says how many it has
@@ -20,6 +21,12 @@ def show_validations(validations: Sequence[Validation]) -> None:
     """One line for every exercise on stdout, then the first failures of each."""
     console = Console() if sys.stdout.isatty() else Console(width=WIDE)
     console.print(table_of(validations))
+    loaded = [validation for validation in validations if validation.draws]
+    if loaded:
+        console.print(telling_table(loaded))
+    for validation in loaded:
+        for line in telling_lines(validation):
+            print(f"· {validation.slug}: {line}")  # noqa: T201 - data of the command
 
     failed = 0
     for validation in validations:
@@ -33,7 +40,7 @@ def table_of(validations: Sequence[Validation]) -> Table:
     """A column for each thing that was looked at: ✓, or how many draws failed; and the source."""
     table = Table(header_style="bold", pad_edge=False, box=SIMPLE_HEAD)
     table.add_column("exercise", no_wrap=True)
-    for name in ("parts", "points", "draws", "slowest draw", *KINDS):
+    for name in ("parts", "points", "draws", "slowest draw", *KINDS, "guessing"):
         table.add_column(name, justify="right", no_wrap=True)
     table.add_column("source")
     for validation in validations:
@@ -54,6 +61,7 @@ def _outcomes(validation: Validation) -> Iterator[str]:
     for kind in KINDS:
         failed = {failure.seed for failure in validation.failures if failure.kind == kind}
         yield f"✗ {len(failed)}" if failed else "✓"
+    yield "!" if validation.guessing else "✓"
 
 
 def validations_json(validations: Sequence[Validation]) -> str:

@@ -8,7 +8,7 @@ from ..config import LimitsTable, PackagesTable, Sheet, Student
 from .assignment import Assignment
 from .given import given_cell, printed
 from .heading import heading, row_orders, solution_heading
-from .notebook_file import code_cell, markdown_cell, notebook_file
+from .notebook_file import code_cell, folded_cell, markdown_cell, notebook_file
 from .question import figures_text, prompt_text, question_text
 from .self_check import self_check
 from .worked import rubric
@@ -17,7 +17,8 @@ KEY = "kinegrade"
 """What a notebook says of itself stands under this key of its metadata."""
 IMPORTS = "import numpy as np"
 SELF_CHECK = (
-    "## Self-check\n\nRun this cell at any time. It sees what is there, not whether it is right."
+    "## Self-check\n\nRun the folded cell below at any time. It sees what is there, not whether it "
+    "is right. Where Kinegrade is installed, `%load_ext kinegrade` and then `%check` say more."
 )
 
 
@@ -63,7 +64,7 @@ def handout_notebook(
         cells += _blanks(one.exercise, hints=sheet.mode != "exam")
 
     asked = [part for one in assignments for part in one.exercise.asked]
-    cells += [markdown_cell(SELF_CHECK), code_cell(self_check(asked))]
+    cells += [markdown_cell(SELF_CHECK), folded_cell(self_check(asked))]
 
     numbers: dict[str, Any] = {}
     for one in assignments:

@@ -18,8 +18,23 @@ def code_cell(source: str, answer: str = "") -> Any:
     """A cell of Python; with `answer`, the one in which that variable is asked."""
     metadata: dict[str, Any] = {}
     if answer:
-        # For people and tools that keep tags; answers are collected by the variable's name.
-        metadata["tags"] = ["answer", answer]
+        # For people and tools that keep tags; answers are collected by the variable's name. Past an
+        # error in a cell with the last of them, Run All goes on.
+        metadata["tags"] = ["answer", answer, "raises-exception"]
+    return _python_cell(source, metadata)
+
+
+def folded_cell(source: str) -> Any:
+    """A cell of Python of which only the output is seen, until somebody opens it."""
+    metadata: dict[str, Any] = {
+        "jupyter": {"source_hidden": True},  # Jupyter and Visual Studio Code
+        "tags": ["hide-input"],  # pages made of notebooks
+        "cellView": "form",  # Colab
+    }
+    return _python_cell(source, metadata)
+
+
+def _python_cell(source: str, metadata: dict[str, Any]) -> Any:
     return {
         "cell_type": "code",
         "execution_count": None,

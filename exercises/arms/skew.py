@@ -10,7 +10,17 @@ from ..contract.introduction import WORDS
 from ..contract.names import Function
 from ..drawing import Drawing, Triad
 
-WHOLE = ((1, 2, 2), (2, 3, 6), (1, 4, 8), (4, 4, 7), (2, 6, 9), (6, 6, 7))  # their lengths are, too
+WHOLE = (  # their lengths are, too; no number of one is so small that it hardly matters
+    (1, 2, 2),
+    (2, 3, 6),
+    (4, 4, 7),
+    (6, 6, 7),
+    (6, 10, 15),
+    (8, 9, 12),
+    (8, 11, 16),
+    (9, 12, 20),
+    (12, 15, 16),
+)
 POINTS = ("p1", "p2", "p3", "p")
 DIRECTIONS = ("w1", "w2", "w3")
 
@@ -24,7 +34,7 @@ def direction(rng: np.random.Generator) -> list[int]:
 def outward(rng: np.random.Generator) -> dict[str, list[float]]:
     """Points on the axes and the tool point, each further out: no lever arm is short."""
     octant = [*rng.choice([-1, 1], 2), 1]
-    points = np.cumsum(rng.integers(10, 45, (4, 3)), axis=0) * octant / 100
+    points = np.cumsum(rng.integers(30, 90, (4, 3)), axis=0) * octant / 100
     return dict(zip(POINTS, points.round(2).tolist(), strict=True))
 
 

@@ -61,8 +61,8 @@ def draw(rng: np.random.Generator) -> dict[str, Any]:
     form = int(rng.integers(len(FORMS)))
 
     def arm() -> dict[str, Any]:
-        v: dict[str, Any] = {name: length(rng, 0.2, 0.6) for name in robot(form).parameters}
-        v["q"] = [*angles(rng, 2), length(rng, 0.3, 0.9), *angles(rng, 1)]
+        v: dict[str, Any] = {name: length(rng, 0.5, 1.2) for name in robot(form).parameters}
+        v["q"] = [*angles(rng, 2), length(rng, 0.5, 1.2), *angles(rng, 1)]
         v["form"] = form
         return v
 

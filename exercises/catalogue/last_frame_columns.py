@@ -45,8 +45,8 @@ def draw(rng: np.random.Generator) -> dict[str, Any]:
             "columns": columns,
             "a2": length(rng),
             "a3": length(rng),
-            "a4": length(rng, 0.2, 0.6),
-            "d6": length(rng, 0.2, 0.5),
+            "a4": length(rng, 0.4, 0.8),
+            "d6": length(rng, 0.4, 0.8),
             "q": angles(rng, 6, [(1, 2), (1, 2, 3)]),
         }
 

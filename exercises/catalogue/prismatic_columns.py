@@ -76,8 +76,8 @@ def draw(rng: np.random.Generator) -> dict[str, Any]:
 
     def arm() -> dict[str, Any]:
         v: dict[str, Any] = {"change": change}
-        v["d2"] = length(rng, 0.1, 0.4)
-        v["d6"] = length(rng, 0.1, 0.4)
+        v["d2"] = length(rng, 0.5, 1.0)
+        v["d6"] = length(rng, 0.5, 1.0)
         v["q"] = [*angles(rng, 2), length(rng), *angles(rng, 3)]
         return v
 

@@ -60,7 +60,7 @@ def draw(rng: np.random.Generator) -> dict[str, Any]:
 
 @part(
     4,
-    Numbers((6, 6), [["m/rad"]] * 3 + [["1"]] * 3),
+    Numbers((6, 6), [["m/rad"]] * 3 + [["1"]] * 3, 5),
     shows={"axes": lambda arm: arm.axes, "origins": lambda arm: arm.frames[:, :3, 3].T},
 )
 def J(arm: Arm) -> Array:
@@ -86,7 +86,7 @@ def J(arm: Arm) -> Array:
 
 @part(
     2,
-    Numbers((6,), ["m/s"] * 3 + ["rad/s"] * 3),
+    Numbers((6,), ["m/s"] * 3 + ["rad/s"] * 3, 5),
     mistakes=[(TRANSPOSED_TWIST, lambda J, qdot_b: J.T @ qdot_b)],
 )
 def twist(J: Array, qdot_b: Array) -> Array:
@@ -161,6 +161,7 @@ EXERCISE = exercise(
     units={"qdot_b": ["rad/s"] * 6, "vx_c": "m/s"},
     symbols={"qdot_b": r"\dot{\mathbf{q}}_b", "vx_c": "v_{x,c}"},
     structure=("wording", "family"),
+    harder={"wording": (HELD, FREE)},  # six rows are prescribed, or three, in place of one
     scale=REACH,
     draw=draw,
     statement=statement,

@@ -63,8 +63,8 @@ def is_regular(v: dict[str, Any]) -> bool:
 
 
 def small(rng: np.random.Generator) -> list[float]:
-    """Three components [m] with three decimals, |dp| about 0.02."""
-    millimetres = rng.integers(6, 19, 3) * rng.choice([-1, 1], 3)
+    """Three components [m] with three decimals, |dp| about 0.03."""
+    millimetres = rng.integers(12, 26, 3) * rng.choice([-1, 1], 3)
     return np.round(millimetres / 1000, 3).tolist()
 
 
@@ -72,7 +72,7 @@ def is_telling(arm: Arm, dp: Array) -> bool:
     """Whether dq is small, every joint takes part, and every component of the error shows."""
     dq = np.linalg.solve(arm.J[:3], dp)
     missed = error(arm, dq, dp)
-    if not 0.018 <= np.linalg.norm(dp) <= 0.024 or np.abs(dq).max() > 0.15:
+    if not 0.026 <= np.linalg.norm(dp) <= 0.036 or np.abs(dq).max() > 0.15:
         return False
 
     turns = np.abs([*dq, dq[1] + dq[2]])  # joints 2 and 3 turn about one axis
@@ -118,7 +118,7 @@ def z(arm: Arm) -> Array:
     return arm.axes
 
 
-@part(3, Numbers((3, 3), "m/rad", 3), shows={"closed": lambda arm: arm.closed.J[:3, :]})
+@part(3, Numbers((3, 3), "m/rad", 4), shows={"closed": lambda arm: arm.closed.J[:3, :]})
 def A(p: Array, z: Array) -> Array:
     r"""The 3 × 3 block $\mathbf A$ of the positional displacements at your $\mathbf q$
 
@@ -166,7 +166,7 @@ def held_rotation(arm: Arm, A: Array, dp: Array = WISHED) -> Array:
 
 @part(
     2,
-    Numbers((3,), "rad", 5),
+    Numbers((3,), "rad", 6),
     shows={
         "det": lambda: parse(ROBOT.determinant, ROBOT.names),
         "size": lambda A: f"{np.linalg.det(A):.3f}",
@@ -198,7 +198,7 @@ def dq(A: Array, dp: Array = WISHED) -> Array:
 
 @part(
     1,
-    Numbers((3,), "rad", 5),
+    Numbers((3,), "rad", 6),
     mistakes=(
         (ROWS_OF_B, lambda B, dq: B.T @ dq),
         (IN_TOOL_AXES, lambda arm, B, dq: arm.R.T @ B @ dq),
@@ -220,7 +220,7 @@ def dw(B: Array, dq: Array) -> Array:
 
 @part(
     2,
-    Numbers((3,), "m", 6),
+    Numbers((3,), "m", 7),
     mistakes=(
         (TRUE_WAY, lambda arm, dq: arm.at(arm.q + dq).p - arm.p),
         (SOLVED, lambda: np.zeros(3)),

@@ -3,9 +3,10 @@
 import os
 
 HARMLESS = {
-    "alias", "autoawait", "autocall", "automagic", "autoreload", "bookmark", "colors", "conda",
-    "config", "debug", "dhist", "dirs", "doctest_mode", "edit", "gui", "history", "ldir", "less",
-    "load_ext", "ls", "lsmagic", "ll", "logon", "logoff", "logstart", "logstop", "macro", "magic",
+    "alias", "autoawait", "autocall", "automagic", "autoreload", "bookmark", "check", "colors",
+    "conda", "config", "debug", "dhist", "dirs", "doctest_mode", "edit", "gui", "history", "ldir",
+    "less", "load_ext", "ls", "lsmagic", "ll", "logon", "logoff", "logstart", "logstop", "macro",
+    "magic",
     "man", "matplotlib", "more", "notebook", "page", "pastebin", "pdb", "pdef", "pdoc", "pfile",
     "pinfo", "pinfo2", "pip", "popd", "pprint", "precision", "psearch", "psource", "pushd", "pycat",
     "pylab", "quickref", "recall", "rehashx", "reload_ext", "reset", "reset_selective", "save",

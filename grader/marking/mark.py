@@ -27,7 +27,17 @@ from .follow import (
 from .following import OwnAnswers, following
 from .judge import judged
 from .price import Bill
-from .verdict import Finding, Status, Verdict, not_graded
+from .verdict import (
+    CHARGED,
+    COMPARED,
+    ENTRIES_FOLLOW,
+    FOLLOWS,
+    NOTHING_FOLLOWS,
+    Finding,
+    Status,
+    Verdict,
+    not_graded,
+)
 from .vouched import is_vouched
 
 MOST_TEXT = 400  # of a sentence that repeats what a student's process said
@@ -231,7 +241,7 @@ def _verdict(sheet: Marked, part: Part, answer: Any) -> Verdict:
         sheet.named.add(part.variable)
     verdict = _written(part, own, answer)
     if follows.why:
-        return _with_finding(verdict, f"Nothing follows {follows.why}.")
+        return _with_finding(verdict, f"{NOTHING_FOLLOWS} {follows.why}.")
     return verdict
 
 
@@ -285,7 +295,7 @@ def _judge(sheet: Marked, part: Part, wanted: Wanted, answer: Any) -> _Judged:
     if not told:
         notes = (*notes, *(name.sentence for name in names))
     if before and share > found.share:
-        notes = (*notes, f"It was charged in {before} already.")
+        notes = (*notes, f"{CHARGED} {before} already.")
     return _Judged(found, names, max(found.share, share), notes)
 
 
@@ -324,11 +334,11 @@ def _written_following(
         return _written(part, followed, answer, "correct" if all_right else None)
     status = "follows" if all_right and follow == 1 else None
     verdict = _written(part, followed, answer, status, follow)
-    says = "It was compared with what follows"
+    says = COMPARED
     if all_right:
-        says = "It follows"
+        says = FOLLOWS
     elif followed.found.share:
-        says = "The entries marked right follow"
+        says = ENTRIES_FOLLOW
     return _with_finding(verdict, f"{says} from your own {wrong}.")
 
 

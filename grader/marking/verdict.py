@@ -15,6 +15,13 @@ STATUS_WORDS: dict[Status, str] = {
     "failed": "could not be read",
     "not_graded": "not graded yet",
 }
+FOLLOWS = "It follows"
+ENTRIES_FOLLOW = "The entries marked right follow"
+COMPARED = "It was compared with what follows"
+NOTHING_FOLLOWS = "Nothing follows"
+CHARGED = "It was charged in"
+ASIDES = (FOLLOWS, ENTRIES_FOLLOW, COMPARED, NOTHING_FOLLOWS, CHARGED)
+"""How findings start that say what an answer was compared with, not what is wrong with it."""
 
 
 @dataclass(frozen=True)

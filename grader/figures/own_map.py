@@ -1,0 +1,198 @@
+# pyright: basic
+"""A small singularity map of one student's arm, with the student's own q on it, as SVG.
+
+Dark is singular, as on the large maps (maps.py). The joints that do not vary are
+held at the student's q, so that the map passes through it.
+"""
+
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from contourpy import contour_generator
+
+from ...solutions.singularity import (
+    Parameters,
+    RegionalArm,
+    arm,
+    factor_values,
+    sigma_min,
+    task_block,
+)
+from .joint_map import short
+from .markup import px, text_xml
+from .scene import FONTS
+from .vectors import Array, spaced
+
+if TYPE_CHECKING:
+    from ...solutions.robots import Robot
+
+SAMPLES = 49  # per axis
+SIDE = 220.0  # [px] of the map
+FRAME = "-56 -10 296 300"
+# Bounds of the bands, as shares of the largest singular value, and their colours.
+BOUNDS = (-1.0, 0.04, 0.12, 0.25, 0.42, 0.65, 2.0)
+BANDS = ("#00224e", "#3c5580", "#7388a9", "#a7b5ca", "#d0d9e4", "#eef2f6")
+DASHES = ("none", "7 3", "2 2.5", "9 3 2 3")
+RIGHT_ANGLES = {-180: "−180°", -90: "−90°", 0: "0", 90: "90°", 180: "180°"}
+TITLE = "Where your arm is singular, and where you are"
+
+
+@dataclass(frozen=True, eq=False)
+class _Axis:
+    """A joint along an edge: its index, what is shown of it, and the ends of the edge [px]."""
+
+    joint: int
+    span: tuple[float, float]
+    ends: tuple[float, float]
+
+    def pixels(self, values: Array) -> Array:
+        """Where values of the joint stand on the map."""
+        return np.interp(values, self.span, self.ends)
+
+
+def own_map(robot: "Robot", parameters: Parameters, q: Array) -> str:
+    """The map over q2 and q3 (of a two-joint arm: q1 and q2) through `q` (n,), with a mark at it.
+
+    In a dark band the arm all but loses a direction of motion; curves are the factors of its
+    determinant.
+    """
+    part = arm(robot, parameters)
+    first, second = (0, 1) if part.chain.n == 2 else (1, 2)
+    across = _Axis(first, _span(part, first, q), (0.0, SIDE))
+    up = _Axis(second, _span(part, second, q), (SIDE, 0.0))
+    grid = np.broadcast_to(q, (SAMPLES, SAMPLES, robot.n)).copy()
+    grid[..., first], grid[..., second] = np.meshgrid(_samples(across), _samples(up))
+
+    drawn = _bands(across, up, sigma_min(task_block(part, grid[..., : part.chain.n])))
+    if part.factors:
+        values = factor_values(robot, parameters, grid)
+        drawn += _curves(across, up, {f.name: values[f.name] for f in part.factors})
+    drawn += [*_edge(part, across), *_edge(part, up), *_mark(part, across, up, q)]
+    body = "\n".join(drawn)
+    return (
+        f'<svg xmlns="http://www.w3.org/2000/svg" class="own-map" viewBox="{FRAME}" width="296"'
+        f' role="img"><title>{TITLE}</title><g font-family="{FONTS}" font-size="13">\n{body}\n'
+        "</g></svg>"
+    )
+
+
+def _span(part: RegionalArm, joint: int, q: Array) -> tuple[float, float]:
+    """A full turn, or the stroke with zero, the own value and a margin."""
+    if part.chain.kinds[joint] == "R":
+        return -np.pi, np.pi
+    low, high = part.limits[joint]
+    low, high = min(low, 0.0, float(q[joint])), max(high, float(q[joint]))
+    margin = 0.08 * (high - low)
+    return low - margin, high + margin
+
+
+def _samples(axis: _Axis) -> Array:
+    return spaced(*axis.span, SAMPLES)
+
+
+def _bands(across: _Axis, up: _Axis, sigma: Array) -> list[str]:
+    """Filled bands of the smallest singular value."""
+    largest = float(sigma.max()) or 1.0
+    places = (across.pixels(_samples(across)), up.pixels(_samples(up)))
+    contours = contour_generator(*places, sigma / largest, fill_type="OuterOffset")
+    drawn = []
+    for low, high, colour in zip(BOUNDS, BOUNDS[1:], BANDS, strict=False):
+        path = ""
+        for points, offsets in zip(*contours.filled(low, high), strict=True):
+            for start, end in pairwise(offsets):
+                path += f"M{_line(points[start:end])}Z"
+        if path:
+            # Its own stroke closes the seams between bands.
+            stroke = f'stroke="{colour}" stroke-width=".6"'
+            drawn.append(f'<path d="{path}" fill="{colour}" {stroke} fill-rule="evenodd"/>')
+    return drawn
+
+
+def _curves(across: _Axis, up: _Axis, values: dict[str, Array]) -> list[str]:
+    """The zero line of each factor, in its own pattern, and the names of those that are there."""
+    places = (across.pixels(_samples(across)), up.pixels(_samples(up)))
+    drawn, named = [], 0
+    for (name, value), dashes in zip(values.items(), DASHES, strict=False):
+        lines: Any = contour_generator(*places, value).lines(0.0)
+        path = "".join(f"M{_line(line)}" for line in lines)
+        if not path:
+            continue
+        for colour, width in (("#fff", 3.6), ("#b3261e", 1.7)):
+            drawn.append(
+                f'<path d="{path}" fill="none" stroke="{colour}" stroke-width="{width}"'
+                f' stroke-dasharray="{dashes}"/>'
+            )
+        at = 110.0 * named
+        drawn.append(
+            f'<path d="M{px(at)} 276h26" stroke="#b3261e" stroke-width="1.7"'
+            f' stroke-dasharray="{dashes}"/>'
+            f'<text class="tick" x="{px(at + 31)}" y="280">{text_xml(short(name))}</text>'
+        )
+        named += 1
+    return drawn
+
+
+def _edge(part: RegionalArm, axis: _Axis) -> list[str]:
+    """The name and the ticks of a joint below the map, or to the left of it."""
+    if part.chain.kinds[axis.joint] == "R":
+        ticks = {np.radians(angle): text for angle, text in RIGHT_ANGLES.items()}
+    else:
+        ticks = {value: f"{value:.3g} m" for value in _round_values(axis.span)}
+    drawn = [_tick(axis, value, text) for value, text in ticks.items()]
+    place = f'x="{px(SIDE / 2)}" y="252"'
+    if axis.ends[0]:
+        place = f'x="-40" y="{px(SIDE / 2)}" dy="-14"'
+    symbol = '<tspan font-style="italic">q</tspan>'
+    name = f'{symbol}<tspan dy="3" font-size="10">{axis.joint + 1}</tspan>'
+    return [*drawn, f'<text class="tick" text-anchor="middle" {place}>{name}</text>']
+
+
+def _tick(axis: _Axis, value: float, text: str) -> str:
+    at = px(float(axis.pixels(np.array(value))))
+    place = f'x="{at}" y="236" text-anchor="middle"'
+    if axis.ends[0]:
+        place = f'x="-6" y="{at}" dy="4" text-anchor="end"'
+    return f'<text class="tick" font-size="11" {place}>{text}</text>'
+
+
+def _round_values(span: tuple[float, float]) -> list[float]:
+    """Zero and a round value near the end of a stroke."""
+    step = 10 ** np.floor(np.log10(span[1]))
+    return [0.0, float(np.floor(span[1] / step) * step)]
+
+
+def _mark(part: RegionalArm, across: _Axis, up: _Axis, q: Array) -> list[str]:
+    """A ring at the own q, with its name beside it."""
+    x, y = (float(axis.pixels(_turned(part, axis, q))) for axis in (across, up))
+    beside = f'x="{px(x + 10)}" text-anchor="start"'
+    if x > 0.6 * SIDE:
+        beside = f'x="{px(x - 10)}" text-anchor="end"'
+    words = f'{beside} y="{px(np.clip(y - 8, 12, SIDE - 4))}" font-weight="bold"'
+    ring = f'<circle cx="{px(x)}" cy="{px(y)}" r="6" fill="none"'
+    return [
+        f'{ring} stroke="#fff" stroke-width="5"/>',
+        f'{ring} stroke="#1d2733" stroke-width="2.4"/>',
+        f'<text {words} stroke="#fff" stroke-width="4" fill="#fff">your q</text>',
+        f'<text {words} fill="#1d2733">your q</text>',
+    ]
+
+
+def _turned(part: RegionalArm, axis: _Axis, q: Array) -> Array:
+    """The own value of a joint, less whole turns."""
+    value = q[axis.joint]
+    if part.chain.kinds[axis.joint] == "R":
+        return np.angle(np.exp(1j * value))
+    return value
+
+
+def _line(points: Array) -> str:
+    """The places of a line, to whole pixels, each once."""
+    whole = np.rint(points).astype(int).tolist()
+    places = [f"{x} {y}" for x, y in whole]
+    kept = places[:1]
+    for one, other in pairwise(places):
+        if one != other:
+            kept.append(other)
+    return "L".join(kept)

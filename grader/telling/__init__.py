@@ -1,0 +1,1 @@
+"""Whether a variant tells right from wrong: mistakes, printed numbers, special postures."""
