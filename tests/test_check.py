@@ -13,7 +13,7 @@ from kinegrade.course.check import _told, check_file, read_handout, unseen_parts
 from kinegrade.course.config import CourseError
 from kinegrade.course.demo import fill_in
 from kinegrade.course.gradebook import Gradebook
-from kinegrade.course.sheet.notebook import printed
+from kinegrade.course.sheet.given import printed
 from kinegrade.exercises.exercise import Choice, ExerciseError, Function, references
 from kinegrade.grader.marking.own_work import Remark
 from kinegrade.grader.marking.verdict import Finding, Verdict, not_graded

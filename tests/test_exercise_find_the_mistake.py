@@ -7,7 +7,7 @@ from itertools import combinations
 import numpy as np
 import pytest
 from answers import EXERCISES, right_raws, variant_of
-from kinegrade.course.sheet.notebook import printed
+from kinegrade.course.sheet.given import printed
 from kinegrade.exercises.arm import arm_of
 from kinegrade.exercises.arms.twisted import FORMS, KINDS, robot
 from kinegrade.exercises.calculations.columns import right

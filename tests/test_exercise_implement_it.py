@@ -5,7 +5,7 @@ import json
 import numpy as np
 import pytest
 from answers import EXERCISES, answer_code, right_raws, variant_of
-from kinegrade.course.sheet.notebook import given_cell, printed
+from kinegrade.course.sheet.given import given_cell, printed
 from kinegrade.course.sheet.submissions import Submission
 from kinegrade.exercises.catalogue.implement_it import GROUPS, PUBLISHED, published
 from kinegrade.exercises.catalogue.implement_it import reference as jacobian

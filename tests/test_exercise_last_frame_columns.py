@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from answers import EXERCISES, right_raws, variant_of
-from kinegrade.course.sheet.notebook import given_cell
+from kinegrade.course.sheet.given import given_cell
 from kinegrade.exercises.exercise import references
 from kinegrade.grader.collecting.wire import Raw
 from kinegrade.grader.marking.mark import mark
