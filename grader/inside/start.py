@@ -48,6 +48,7 @@ def main(descriptor):
             importlib.import_module(name)
     house = House(about)
     problem = _tried(house, about["outside"]) if house.confined else ""
+    empty(house.scratch)  # matplotlib leaves a list of fonts, which is nobody's file
     channel.send(json.dumps({"problem": problem}).encode())
 
     _forget_ourselves()

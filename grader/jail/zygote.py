@@ -21,6 +21,8 @@ MAX_STREAM = 512 << 20  # of all frames of one notebook
 START_SECONDS = 120  # a busy machine loads sympy slowly
 FULL = "the notebook wrote more files than a sheet asks for"
 TOO_MUCH = "the notebook wrote more than its answers can hold"
+SHUT = "a cell closed the pipe that answers take"
+GONE_SECONDS = 5  # from the end of its pipe to that of a process that ends by itself
 END_SECONDS = 60  # until a killed process is gone and its folder is empty
 
 
@@ -106,6 +108,8 @@ class Zygote:
             os.close(theirs)
             theirs = -1
             end = _frames(ours, order.notebook_seconds)
+            if not (end.clock or end.stopped or _is_gone(handle)):
+                end = replace(end, stopped=SHUT)
             with suppress(ProcessLookupError):
                 signal.pidfd_send_signal(handle, signal.SIGKILL)
             return self._ended(end)
@@ -172,6 +176,12 @@ def _started(around: Surroundings, descriptor: int) -> "subprocess.Popen[bytes]"
         cwd=around.folder or "/",
         start_new_session=True,  # Ctrl-C is for the grader, which ends it in order
     )
+
+
+def _is_gone(handle: int) -> bool:
+    """Whether a process whose pipe has ended ends as well: one that stays has closed it."""
+    ready, _, _ = select.select([handle], [], [], GONE_SECONDS)
+    return bool(ready)
 
 
 def _write(descriptor: int, data: bytes) -> None:

@@ -1,0 +1,5 @@
+# Hands in a million numbers, and one number seen a billion times.
+# Must: x lost; y lost
+# %%
+x = np.arange(1e6)
+y = np.broadcast_to(1.0, (1000, 1000, 1000))

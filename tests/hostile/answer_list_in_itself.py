@@ -1,0 +1,7 @@
+# Hands in a list that holds itself, and one with 100 000 lists in one another.
+# Must: x lost; y lost
+# %%
+x = []
+x.append(x)
+y = 1.0
+for _ in range(100_000): y = [y]

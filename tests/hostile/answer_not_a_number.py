@@ -1,0 +1,4 @@
+# Hands in numbers that compare with nothing: not a number, and infinity.
+# Must: y is 1
+# %%
+x, y = [float("nan"), float("inf"), -float("inf")], 1

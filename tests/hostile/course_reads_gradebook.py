@@ -1,0 +1,7 @@
+# Opens the gradebook, by its file and by SQLite.
+# Must: x refused; y lost
+# %%
+x = attempt(lambda: open(f"{COURSE}/gradebook.sqlite", "rb").read())
+# %%
+import sqlite3
+y = sqlite3.connect(f"file:{COURSE}/gradebook.sqlite?mode=ro", uri=True).execute("select * from records").fetchall()

@@ -1,0 +1,4 @@
+# Lists all processes.
+# Must: x refused
+# %%
+x = attempt(lambda: os.listdir("/proc"))

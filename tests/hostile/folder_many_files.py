@@ -1,0 +1,5 @@
+# Leaves five thousand files.
+# Must: x is 1
+# %%
+for i in range(5000): open(f"f{i}", "w").close()
+x = 1

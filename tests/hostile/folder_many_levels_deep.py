@@ -1,0 +1,7 @@
+# Leaves two thousand folders in one another.
+# Must: x is 1
+# %%
+for _ in range(2000):
+    os.mkdir("d")
+    os.chdir("d")
+x = 1

@@ -1,0 +1,10 @@
+# Announces a frame and never sends it whole.
+# Must: x stopped
+# Seconds: 2
+# %%
+import signal, time
+for bell in (14, 27): signal.signal(bell, signal.SIG_IGN)
+for number in range(3, 64):
+    try: os.write(number, (1000).to_bytes(8, "little") + b"{")
+    except OSError: pass
+time.sleep(60)

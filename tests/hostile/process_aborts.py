@@ -1,0 +1,8 @@
+# Aborts, as a library with a fault does.
+# Must: x is 1; y lost
+# %%
+x = 1
+# %%
+os.abort()
+# %%
+y = 2

@@ -1,0 +1,7 @@
+# Raises at every audited event from now on.
+# Must: y is 1
+# %%
+y = 1
+# %%
+def refuse(event, arguments): raise RuntimeError(event)
+sys.addaudithook(refuse)

@@ -1,0 +1,142 @@
+"""The hostile notebooks of tests/hostile, and the table of them: this file, run, writes it."""
+
+import ast
+import json
+import re
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from courses import notebook
+
+FOLDER = Path(__file__).parent / "hostile"
+PAGE = Path(__file__).parents[1] / "docs" / "hostile.md"
+LEVELS = ("strong", "medium")
+CELL = "# %%\n"
+CLAIM = re.compile(
+    r"(?P<name>[xyf]|process) (?P<verb>refused|lost|stopped|ended|is) ?(?P<value>.*)"
+)
+KINDS = {
+    "answer": "Answers that are none, and tools turned round",
+    "course": "The course, its secret, its gradebook, and classmates",
+    "escape": "The grader and its memory",
+    "folder": "Folders and files",
+    "frame": "The pipe that answers take",
+    "kernel": "The kernel",
+    "limit": "Time, memory and room",
+    "network": "The network",
+    "process": "Processes and signals",
+    "python": "Python and Jupyter",
+}
+INTRODUCTION = """\
+# Hostile notebooks, and what becomes of them
+
+Written by `python tests/hostile_notebooks.py` from [tests/hostile/](../tests/hostile), one file a row; tests/test_hostile.py
+runs each at both [levels](security.md) beside a course with a secret, a gradebook, classmates' files and open sockets. Every
+notebook is asked for two variables, `x` and `y`, and a function `f`, called with 1 and 2.
+
+| words | what is found |
+|---|---|
+| refused | each attempt stopped with an error, and the notebook went on |
+| lost | there is no such answer, and a sentence says why |
+| stopped | it was stopped at a limit, and so has no such answer |
+| process ended | the kernel ended the notebook at once |
+| is | this is the answer: its own, whatever it did to the tools around it |
+
+And always: the course and the folders around it are unchanged byte for byte, nothing of the secret is in what came back,
+nobody knocked at a socket, no process and no file is left, the grader is not disturbed, and the notebook that runs next in the
+same jail finds an empty folder and gets its right answers.
+"""
+
+
+@dataclass(frozen=True)
+class Claim:
+    """What must have become of one answer, or of the process."""
+
+    name: str
+    verb: str
+    value: object = None
+
+
+@dataclass(frozen=True)
+class Hostile:
+    """One notebook: what it tries, what must happen, and at which levels it does not and why."""
+
+    name: str
+    tries: str
+    must: str
+    cells: tuple[str, ...]
+    seconds: float = 20.0  # on the clock
+    through: dict[str, str] = field(default_factory=dict)
+
+    @property
+    def claims(self):
+        """What must hold, one by one."""
+        return [_claim(text.strip(), self.name) for text in self.must.split(";")]
+
+
+def hostile_notebooks():
+    """All of them, by name."""
+    return [_read(path) for path in sorted(FOLDER.glob("*.py"))]
+
+
+def first_cell(**known):
+    """What an attacker who knows this machine well would begin with."""
+    lines = [f"{name} = {json.dumps(value)}" for name, value in known.items()]
+    return "\n".join([*lines, (FOLDER / "first_cell.txt").read_text(encoding="utf-8")])
+
+
+def as_notebook(hostile, first):
+    """Its bytes, as a student hands them in."""
+    return notebook(first, *hostile.cells)
+
+
+def table():
+    """The page."""
+    found = hostile_notebooks()
+    parts = [INTRODUCTION]
+    for kind, title in KINDS.items():
+        rows = [_row(each) for each in found if each.name.startswith(f"{kind}_")]
+        head = "| notebook | tries | must | strong | medium |\n|---|---|---|---|---|"
+        parts.append("\n".join([f"## {title}\n", head, *rows]) + "\n")
+    return "\n".join(parts)
+
+
+def _read(path):
+    head, *cells = path.read_text(encoding="utf-8").split(CELL)
+    said = {"tries": ""}
+    key = "tries"
+    for line in head.splitlines():
+        text = line.removeprefix("#").strip()
+        found = re.match(r"(Must|Seconds|Gets through at strong|Gets through at medium): ", text)
+        if found:
+            key = found[1]
+            text = text[found.end() :]
+        said[key] = f"{said.get(key, '')} {text}".strip()
+    through = {}
+    for level in LEVELS:
+        why = said.get(f"Gets through at {level}")
+        if why:
+            through[level] = why
+    seconds = float(said.get("Seconds", 20))
+    return Hostile(path.stem, said["tries"], said["Must"], tuple(cells), seconds, through)
+
+
+def _claim(text, where):
+    found = CLAIM.fullmatch(text)
+    if not found:
+        message = f"{where}: a claim is such as 'x refused' or 'x is 1', got {text!r}"
+        raise ValueError(message)
+    if found["verb"] == "is":
+        return Claim(found["name"], "is", ast.literal_eval(found["value"]))
+    return Claim(found["name"], found["verb"])
+
+
+def _row(each):
+    link = f"[{each.name}](../tests/hostile/{each.name}.py)"
+    ends = [each.through.get(level, "holds") for level in LEVELS]
+    texts = [text.replace("|", "\\|") for text in (each.tries, each.must)]
+    return f"| {' | '.join([link, *texts, *ends])} |"
+
+
+if __name__ == "__main__":
+    PAGE.write_text(table(), encoding="utf-8")
