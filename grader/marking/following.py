@@ -41,14 +41,14 @@ class Following:
 def following(key: AnswerKey, part: Part, own: OwnAnswers, wrong: str) -> Following:
     """What follows from own earlier answers; the reference stands in for those that are missing.
 
-    `wrong` names the answers that are not right, for the sentence.
+    `wrong` names the answers that are not right. Right ones, though rounded, make nothing easier.
     """
     for name in part.needs:
         if name in own.unfollowed:
             return Following(why=f"from your own {name}: {own.unfollowed[name]}")
 
     wanted = _wanted(key, part, own)
-    if wanted is not None and _is_easier(key, part, wanted):
+    if wanted is not None and wrong and _is_easier(key, part, wanted):
         return Following(why=f"from your own {wrong}: {EASIER}")
     return Following(wanted)
 
