@@ -95,7 +95,10 @@ ROOM_OF = {
                 "formulas",
                 "markdown",
                 "roster",
+                "settings",
+                "spelling",
                 "text_file",
+                "times",
                 "words",
             )
         ],

@@ -24,12 +24,13 @@ def tolerance(
         raise TypeError(
             f"{part.variable}: a tolerance is for numbers, not for {type(answer).__name__}"
         )
+    factor = part.tolerance_factor
     if part.tolerance is not None:
-        return np.full(reference.shape, part.tolerance)
+        return np.full(reference.shape, factor * part.tolerance)
     block = block_scale(answer, reference, exercise.scale(v))
     unit = 10.0**-answer.decimals
     # A value cut off at the asked decimals is off by a unit and an error of binary fractions.
-    return np.clip(
+    return factor * np.clip(
         1.5 * _spread(exercise, part, v, given, reference) + 1.001 * unit,
         FLOOR * block,
         CAP * block,
