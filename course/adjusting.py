@@ -1,7 +1,7 @@
 """Exercises as a sheet of course.toml has them: its points, decimals, tolerances and parts."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import fields, replace
+from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -127,8 +127,8 @@ def _set(part: Part, tables: Sequence[Adjusted], *, hints: bool) -> Part:
     decimals = _first(table.decimals for table in tables)
     factor = _first(table.tolerance for table in tables)
     answer = part.answer
-    if decimals is not None and "decimals" in {field.name for field in fields(answer)}:
-        answer = replace(answer, decimals=int(decimals))  # pyright: ignore[reportCallIssue]
+    if decimals is not None:
+        answer = answer.with_decimals(int(decimals))
     if factor is not None and isinstance(answer, Function):
         answer = replace(answer, tolerance=factor * answer.tolerance)
     return replace(

@@ -18,6 +18,7 @@ from .console import progress, say
 from .gradebook_command import book
 from .marks_command import marks
 from .options import CourseOption, GradebookOption, JsonOption, SheetArguments, opened
+from .term_command import add_to
 
 if TYPE_CHECKING:
     from .grading import Result
@@ -31,6 +32,7 @@ app = typer.Typer(
 )
 app.add_typer(marks, name="marks")
 app.add_typer(book, name="gradebook")
+add_to(app)
 STOPPED = 130  # what typer makes of Ctrl-C
 
 

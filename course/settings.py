@@ -101,6 +101,12 @@ class Sheet(Adjusted):
     most_attempts: Annotated[int, Field(strict=True, ge=1, le=1000)] | None = None
     resit_of: str = ""
 
+    @property
+    def is_timed(self) -> bool:
+        """Whether it matters when and how often something was handed in."""
+        limited = self.most_attempts is not None or self.attempts == "best"
+        return limited or self.deadline is not None or self.closes is not None
+
     def adjustments(self) -> dict[str, Any]:
         """As plain data, what answers are judged by here otherwise than their exercises say."""
         return self.model_dump(mode="json", include=ADJUSTMENTS, exclude_defaults=True)

@@ -64,10 +64,11 @@ ROOMS = {
     | {"grader/jail"},
     "course/typeset": ENGINE | {"course/ground", "course/sheet", "exercises", "exercises/kinds"},
     "course/ledger": ENGINE | {"course/ground", "grader/marking"},
+    "course/term": ENGINE | {"course/ground", "course/ledger", "exercises", "grader/marking"},
     "course/ledger/migrations": set(),
     "course/ledger/migrations/versions": set(),
     "course": ENGINE
-    | {"course/ground", "course/sheet", "course/typeset", "course/ledger"}
+    | {"course/ground", "course/sheet", "course/typeset", "course/ledger", "course/term"}
     | {"exercises", "exercises/files"}
     | {"grader/collecting", "grader/jail", "grader/reading", "grader/marking", "grader/telling"}
     | {"grader/figures"},
