@@ -123,8 +123,8 @@ def _counting(tries: Sequence[SheetResults], place: int) -> _Counting | None:
         if result.excused:
             return None
         points = result.points
-        if points is not None and result.out_of:
-            points = round(points * first.out_of / result.out_of, 2)
+        if points is not None and sheet is not first:
+            points = round(points * first.out_of / sheet.out_of, 2)
         found.append(_Counting(result, points, first.out_of))
     return max(found, key=_most)
 

@@ -236,8 +236,14 @@ class SheetMarker:
             self.course.settings.limits.model_dump(),
             self.course.settings.marking.model_dump(),
             *self._run_with(submission),
+            *self._adjusted(),
         )
         return digest(canonical(followed).encode())
+
+    def _adjusted(self) -> list[Any]:
+        """What course.toml sets otherwise than the exercises; nothing where it sets nothing."""
+        adjustments = self.sheet.adjustments()
+        return [adjustments] if adjustments else []
 
     def _run_with(self, submission: Submission) -> list[Any]:
         """What else a notebook's marks follow from, where there is anything.

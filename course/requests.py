@@ -7,9 +7,9 @@ from .config import Course, Sheet
 from .escape import printable_lines
 from .gradebook import Gradebook
 from .ledger.term import Request
+from .sheet.submissions import REQUEST
 from .sheets import asked_parts, exercises_of
 
-SUFFIX = ".request.txt"
 MOST = 20_000  # bytes that are read of a file
 WHOLE = "the whole sheet"
 NAMED = re.compile(r"^\W*([A-Za-z]\w*)\s*:\s*(.*)", re.ASCII)
@@ -21,7 +21,7 @@ HOW = (
 
 def how_to_ask(sheet: str) -> str:
     """A sentence for students."""
-    return HOW.format(file=f"{sheet}{SUFFIX}")
+    return HOW.format(file=f"{sheet}{REQUEST}")
 
 
 def read_requests(course: Course, gradebook: Gradebook, sheet: Sheet) -> list[Request]:
@@ -29,7 +29,7 @@ def read_requests(course: Course, gradebook: Gradebook, sheet: Sheet) -> list[Re
     names = list(asked_parts(exercises_of(course, sheet)))
     asked: dict[tuple[str, str], str] = {}
     for student in course.students:
-        path = course.folder / "submitted" / student.id / f"{sheet.name}{SUFFIX}"
+        path = course.folder / "submitted" / student.id / f"{sheet.name}{REQUEST}"
         for part, text in _read(path, names).items():
             asked[student.id, part] = text
     gradebook.term.note_requests(sheet.name, asked)
