@@ -14,13 +14,12 @@ from .config import Course, MarkingTable, Sheet
 from .entries import Cell, entry_tables
 from .escape import printable
 from .explained import explained
-from .formulas import page_text
 from .gradebook import Gradebook
 from .grades import SheetResults
 from .grading import Result
 from .markdown import markdown_html
 from .own_sheet import own_questions
-from .pages import template, write_page
+from .pages import template, with_formulas, write_page
 from .position import position
 from .requests import how_to_ask
 from .sentences import sentence
@@ -199,7 +198,7 @@ def feedback_block(part: Part, verdict: Verdict) -> Block:
 
     options: list[Markup] = []
     if isinstance(answer, Choice):
-        options = [_markup(option) for option in answer.options]
+        options = [with_formulas(option) for option in answer.options]
 
     text: Any = None
     rubric: list[tuple[str, str]] = []
@@ -209,7 +208,7 @@ def feedback_block(part: Part, verdict: Verdict) -> Block:
 
     return {
         "variable": part.variable,
-        "prompt": _markup(part.prompt),
+        "prompt": with_formulas(part.prompt),
         "status": verdict.status,
         "words": STATUS_WORDS[verdict.status],
         "mark": MARKS[verdict.status],
@@ -231,10 +230,6 @@ def _is_from_own(verdict: Verdict) -> bool:
     """Whether entries are marked right because they follow from own answers that are not."""
     said = any(finding.text.startswith(ENTRIES_FOLLOW) for finding in verdict.findings)
     return verdict.status == "follows" or said
-
-
-def _markup(line: str) -> Markup:
-    return Markup(page_text(line))  # noqa: S704 - page_text escapes
 
 
 def _findings(verdict: Verdict, *, by_person: bool) -> list[dict[str, str]]:

@@ -1,4 +1,4 @@
-"""Commands of a term: accept, regrade, publish, extend, excuse."""
+"""Commands of a term: accept, regrade, publish, extend, excuse, oral."""
 
 import sys
 from pathlib import Path
@@ -32,6 +32,7 @@ def add_to(app: typer.Typer) -> None:
     app.command()(publish)
     app.command()(extend)
     app.command()(excuse)
+    app.command()(oral)
 
 
 def accept(
@@ -197,6 +198,21 @@ def excuse(
         gradebook.term.extend(student, sheet, given, Change(marker or user(), reason))
         counts = "counts again" if no_longer else "does not count"
         say(f"Sheet {sheet} {counts} for {student}. `kinegrade report` writes the pages with it.")
+
+
+def oral(
+    sheet: SheetArgument,
+    folder: CourseOption = Path(),
+    place: GradebookOption = "",
+) -> None:
+    """Write a page of equal wrong answers and code that is alike, to talk about with students."""
+    from .oral import write_oral_sheet
+
+    with opened(folder, place) as (course, gradebook):
+        (of,) = course.sheets((sheet,))
+        path, found = write_oral_sheet(course, gradebook, of)
+        print(path)  # noqa: T201 - data of the command
+        say(f"{len(found.students)} students to talk to; nobody lost a point by it.")
 
 
 def _refuse_stranger(course: "Course", student: str) -> None:
