@@ -109,6 +109,7 @@ def write_feedback(
         waiting=result.status == "not_graded",
         notes=_notes(sheet, result),
         asking=how_to_ask(sheet.name),
+        handing_in=rules_text(sheet),
         solved=sheet.show_solutions,
         blocks=blocks,
         rules=_rules(course.settings.marking),
@@ -121,7 +122,7 @@ def write_feedback(
 
 def _notes(sheet: Sheet, result: Result) -> list[str]:
     """What deadline, attempts and publication make of the points, a sentence each."""
-    notes = [late_text(result.late), rules_text(sheet)]
+    notes = [late_text(result.late)]
     if result.attempts.of > 1:
         notes.insert(0, f"This is file {result.attempts.this} of {result.attempts.of}.")
     if result.excused:

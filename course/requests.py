@@ -14,7 +14,7 @@ MOST = 20_000  # bytes that are read of a file
 WHOLE = "the whole sheet"
 NAMED = re.compile(r"^\W*([A-Za-z]\w*)\s*:\s*(.*)", re.ASCII)
 HOW = (
-    "To have a part looked at again, hand in a text file `{file}` with a line for each: "
+    "To have a part looked at again, hand in a text file {file} with a line for each: "
     "the name of the part, a colon, and why."
 )
 

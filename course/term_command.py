@@ -12,7 +12,7 @@ from .marks_command import MarkerOption
 from .options import CourseOption, GradebookOption, SheetArguments, opened
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Sequence
 
     from .config import Course
     from .term.differences import Move
@@ -129,7 +129,7 @@ def publish(
     with opened(folder, place) as (course, gradebook):
         for sheet in course.sheets(tuple(sheets)):
             found = to_publish(course, gradebook, sheet)
-            _show(found.changed)
+            _print(found.changed)
             for result in found.waiting:
                 say(f"{result.student.id}, sheet {sheet.name}: waits for a mark, not published")
             if not dry_run:
@@ -223,15 +223,18 @@ def _refuse_stranger(course: "Course", student: str) -> None:
         raise CourseError(f"{student!r} is not in roster.csv{hint(student, ids)}")
 
 
-def _show(found: "Iterable[Move]") -> None:
+def _show(found: "Sequence[Move]") -> None:
     """The moves on stdout, their number on stderr."""
+    _print(found)
+    who = "one student" if len(found) == 1 else f"{len(found)} students"
+    say(f"Marks of {who} change.")
+
+
+def _print(found: "Sequence[Move]") -> None:
     from .escape import printable
 
-    count = 0
     for move in found:
-        count += 1
         print(printable(move.line()))  # noqa: T201 - data of the command
-    say(f"Marks of {count} students change." if count != 1 else "Marks of one student change.")
 
 
 def _confirmed(*, yes: bool) -> bool:

@@ -60,10 +60,10 @@ def late_text(late: Lateness) -> str:
         return "It came in after the sheet was closed, and does not count."
     if not late.days:
         return ""
-    days = f"It came in {days_text(late.days)} late"
+    days = f"It came in late, {days_text(late.days)} begun"
     if not late.percent:
-        return f"{days}, which costs nothing here."
-    return f"{days}, which takes {late.percent:g} % off the points."
+        return f"{days}; that costs nothing here."
+    return f"{days}; that takes {late.percent:g} % off the points."
 
 
 def days_text(days: int) -> str:
@@ -93,7 +93,7 @@ def _late_rule(sheet: Sheet) -> list[str]:
         return []
     grace = ""
     if sheet.grace_minutes:
-        grace = f" (after {sheet.grace_minutes} minutes of grace)"
+        grace = f", once {sheet.grace_minutes} minutes have passed,"
     most = ""
     if sheet.late_most < 100:
         most = f", at most {sheet.late_most:g} %"

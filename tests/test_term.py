@@ -106,8 +106,8 @@ def test_late_files_lose_what_the_rule_says_and_those_after_the_end_do_not_count
     assert [results[one].points for one in ("ada", "ben", "cyd")] == [5, 4, None]
     assert results["cyd"].status == "no_submission"
     assert "after the sheet was closed" in results["cyd"].reason
-    assert "2 days late, which takes 20 % off the points" in page(course, "ben")
-    assert "days late" not in page(course, "ada")
+    assert "late, 2 days begun; that takes 20 % off the points" in page(course, "ben")
+    assert "days begun" not in page(course, "ada")
     assert recorded(course)["ben"].points == 4
 
 
@@ -115,7 +115,7 @@ def test_a_late_file_that_costs_nothing_is_said_to_be_late(tmp_path):
     course = timed(tmp_path, "deadline = 2026-10-08T22:00:00Z\n")
     give(course, "ada", right_answers(course, "ada"), DEADLINE + timedelta(hours=3))
     assert marked(course)["ada"].points == 5
-    assert "1 day late, which costs nothing here" in page(course, "ada")
+    assert "late, 1 day begun; that costs nothing here" in page(course, "ada")
 
 
 def test_received_csv_goes_before_the_time_of_the_file(tmp_path):
