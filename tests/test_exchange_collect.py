@@ -3,6 +3,9 @@
 import pytest
 from courses import enrol, files_of, make_course
 from downloads import (
+    CANVAS,
+    CLASSROOM,
+    GRADESCOPE,
     MOODLE,
     MOODLE_BLIND,
     MOODLE_GERMAN,
@@ -14,6 +17,7 @@ from downloads import (
     zip_file,
 )
 from kinegrade.course.exchange import archive
+from kinegrade.course.exchange.moments import moment, zone_named
 
 ADA = "Ada Lovelace_9001_assignsubmission_file"
 BEN = "Ben Bot_9002_assignsubmission_file"
@@ -289,3 +293,111 @@ def test_a_download_of_nobody_we_know_is_refused(kinegrade, folder, tmp_path):
     path = zip_file(tmp_path / "x.zip", {"one.ipynb": sheet_of("ada")})
     ran = kinegrade("collect", path, "-c", folder)
     assert "this is not known as the download of a system; --from says which" in ran.err
+
+
+def test_canvas_is_recognized_and_its_numbers_are_those_of_its_gradebook(collect, folder):
+    files = {
+        "lovelaceada_4711_88001_one.ipynb": sheet_of("ada"),
+        "somebody_LATE_4712_88002_one-1.json": b"{}",
+        "thethirdcyd_99_88003_one.json": b"[]",
+    }
+    ran = collect(files, worksheet=CANVAS)
+    assert ran.code == 0
+    assert set(submitted(folder)) == {"ada/one.ipynb", "ben/one.json", "cyd/one.json"}
+    assert "Canvas calls these late: somebody_LATE_4712_88002_one-1.json" in ran.err
+    assert "3 files came without a time; Canvas's download has none" in ran.err
+
+
+def test_canvas_where_markers_are_blind_is_matched_by_the_sheet_inside(collect, folder):
+    ran = collect({"anon_Xy12z_88001_one.ipynb": sheet_of("ada"), "anon_Ab12z_8_one.json": b"{}"})
+    assert (ran.code, set(submitted(folder))) == (1, {"ada/one.ipynb"})
+
+
+def test_of_two_that_were_handed_in_to_canvas_the_newest_counts(collect, folder):
+    files = {
+        "lovelaceada_4711_88001_one.json": (b"[1]", (2026, 11, 1, 0, 0, 0)),
+        "lovelaceada_4711_88009_one-1.json": (b"[2]", (2026, 11, 2, 0, 0, 0)),
+    }
+    collect(files)
+    assert submitted(folder)["ada/one.json"] == b"[2]"
+
+
+def test_an_export_of_gradescope_has_ids_and_times(collect, folder):
+    files = {
+        "assignment_7_export/submission_metadata.yml": GRADESCOPE.encode(),
+        "assignment_7_export/submission_501/one.ipynb": sheet_of("ada"),
+        "assignment_7_export/submission_502/src/one.json": b"{}",
+    }
+    assert collect(files).code == 0
+    assert submitted(folder)["received.csv"].decode().splitlines()[1:] == [
+        "ada,one,one.ipynb,2026-11-23T22:59:17.123456+00:00",
+        "ben,one,one.json,2026-11-23T23:59:17+00:00",
+    ]
+
+
+@pytest.mark.parametrize(
+    "text", ["a: [", "- 1\n- 2", "!!python/object/apply:os.abort []", "&a [*a]"]
+)
+def test_metadata_of_gradescope_that_are_none_take_nothing(collect, folder, text):
+    files = {"submission_metadata.yml": text.encode(), "submission_501/one.json": b"{}"}
+    ran = collect(files)
+    assert not (folder / "submitted").exists()
+    assert "Traceback" not in ran.err
+
+
+@pytest.mark.parametrize("root", ["", "submitted/", "mycourse/submitted/"])
+def test_folders_of_nbgrader_have_ids_and_times(collect, folder, root):
+    files = {
+        f"{root}ada/one/problem.ipynb": b"{}",
+        f"{root}ada/one/timestamp.txt": b"2026-11-23 22:59:59.123456 UTC",
+        f"{root}ben/one/one.ipynb": sheet_of("ben"),
+        f"{root}ben/one/timestamp.txt": b"2026-11-23 15:58:23.948203 America/Los_Angeles",
+        f"{root}zoe/one/one.ipynb": b"{}",
+    }
+    ran = collect(files)
+    assert f"{root}zoe/one/one.ipynb: nobody of roster.csv" in ran.err
+    assert submitted(folder)["received.csv"].decode().splitlines()[1:] == [
+        "ada,one,one.ipynb,2026-11-23T22:59:59+00:00",
+        "ben,one,one.ipynb,2026-11-23T15:58:23-08:00",
+    ]
+
+
+def test_repositories_of_classroom_belong_to_the_users_of_its_table(kinegrade, folder, tmp_path):
+    for user, name in (("lady-ada", "one.ipynb"), ("bot", "one.json"), ("cyd", "one.json")):
+        place = tmp_path / "one-submissions" / f"one-{user}"
+        (place / ".git").mkdir(parents=True)
+        (place / ".git" / "one.json").write_bytes(b"no answer")
+        (place / name).write_bytes(sheet_of("ada") if user == "lady-ada" else b"{}")
+    table = written(tmp_path / "grades.csv", CLASSROOM)
+    ran = kinegrade(
+        "collect", tmp_path / "one-submissions", "--from", "classroom", "--worksheet", table,
+        "-c", folder,
+    )  # fmt: skip
+    assert ran.code == 0
+    assert set(submitted(folder)) == {
+        "ada/one.ipynb",
+        "ben/one.json",
+        "cyd/one.json",
+        "received.csv",
+    }
+    assert b"ben,one,one.json,2026-11-23T23:59:59+00:00" in submitted(folder)["received.csv"]
+
+
+@pytest.mark.parametrize(
+    ("text", "iso"),
+    [
+        ("Monday, 23 November 2026, 11:59 PM", "2026-11-23T23:59:00+01:00"),
+        ("Monday, 23 November 2026, 12:05 AM", "2026-11-23T00:05:00+01:00"),
+        ("Montag, 2. März 2026, 09:05", "2026-03-02T09:05:00+01:00"),
+        ("lundi 6 juillet 2026, 23:59", "2026-07-06T23:59:00+02:00"),
+        ("lunes, 3 de agosto de 2026, 23:59", "2026-08-03T23:59:00+02:00"),
+        ("2026-11-23T23:59:00+05:30", "2026-11-23T23:59:00+05:30"),
+        ("2026-11-23 23:59:59 UTC", "2026-11-23T23:59:59+00:00"),
+        ("-", None),
+        ("Monday, 31 February 2026, 11:59 PM", None),
+        ("2026-13-45 10:00 UTC", None),
+    ],
+)
+def test_a_time_is_read_in_the_zone_that_it_leaves_out(text, iso):
+    found = moment(text, zone_named("Europe/Berlin"))
+    assert (found and found.isoformat()) == iso

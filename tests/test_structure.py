@@ -114,6 +114,7 @@ DISTRIBUTIONS = {
     "sqlalchemy": "SQLAlchemy",
     "markupsafe": "jinja2",
     "markdown_it": "markdown-it-py",
+    "yaml": "PyYAML",
 }  # jinja2 brings markupsafe
 HEAVY = (
     "sympy",

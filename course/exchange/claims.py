@@ -108,6 +108,8 @@ class _Looker:
         data = upload.file.read()
         says = inside(data) if upload.suffix == NOTEBOOK else Inside()
         which = says.sheet or self._called_after(upload.name)
+        if not which and upload.suffix == NOTEBOOK and upload.assignment in self._sheets:
+            which = upload.assignment
         if not which:
             return None
         return self._claim(upload, data, says, which)

@@ -7,7 +7,8 @@ from pathlib import Path
 
 from ..config import Course
 from ..errors import CourseError
-from . import moodle
+from ..escape import printable
+from . import canvas, classroom, gradescope, moodle, nbgrader
 from .archive import Contents, opened_download
 from .claims import look
 from .people import People, Person
@@ -22,23 +23,51 @@ class System:
 
     Attributes:
         recognizes: Whether a download is from it.
-        uploads: The files of a download with their owners; a time without a zone is in the given.
+        uploads: The files of a download with their owners.
         persons: The lines of its table of people.
         without_times: What is said where files came in without a time.
     """
 
     recognizes: Callable[[Contents], bool]
-    uploads: Callable[[Contents, People, tzinfo | None], Iterator[Upload]]
+    uploads: Callable[[Contents, People], Iterator[Upload]]
     persons: Callable[[Worksheet, tzinfo | None], Iterator[Person]]
     without_times: str
+
+
+def _no_table(worksheet: Worksheet, _: tzinfo | None) -> Iterator[Person]:
+    raise CourseError(f"{worksheet.path}: this system's download says itself whose files it holds")
 
 
 SYSTEMS: dict[str, System] = {
     "moodle": System(
         moodle.recognizes,
-        lambda contents, people, _: moodle.uploads(contents, people),
+        moodle.uploads,
         moodle.persons,
         "the times of submission stand in the grading worksheet: --worksheet W.csv",
+    ),
+    "canvas": System(
+        canvas.recognizes,
+        lambda contents, _: canvas.uploads(contents),
+        lambda worksheet, _: canvas.persons(worksheet),
+        "Canvas's download has none; what is known can be entered in submitted/received.csv",
+    ),
+    "gradescope": System(
+        gradescope.recognizes,
+        lambda contents, _: gradescope.uploads(contents),
+        _no_table,
+        "the export names none for them",
+    ),
+    "nbgrader": System(
+        nbgrader.recognizes,
+        lambda contents, _: nbgrader.uploads(contents),
+        _no_table,
+        "there is no timestamp.txt beside them",
+    ),
+    "classroom": System(
+        classroom.recognizes,
+        classroom.uploads,
+        classroom.persons,
+        "the times of submission stand in the table of grades: --worksheet GRADES.csv",
     ),
 }
 
@@ -64,9 +93,13 @@ def collect(
         if worksheet is not None:
             table += chosen.persons(read_worksheet(worksheet), zone)
         people = People(course.students, table)
-        found = list(chosen.uploads(contents, people, zone))
+        found = list(chosen.uploads(contents, people))
         taken = take(course, look(course, people, found, sheet))
         taken.conflicts[:0] = contents.refused
+    late = canvas.named_late(contents)
+    if chosen is SYSTEMS["canvas"] and late:
+        names = ", ".join(printable(file.path.name) for file in late)
+        taken.notes.append(f"Canvas calls these late: {names}")
     timeless = [upload for upload in found if upload.received is None]
     if timeless:
         taken.notes.append(f"{len(timeless)} files came without a time; {chosen.without_times}")

@@ -57,6 +57,10 @@ class People:
         """The line of the table with the owner's number."""
         return self._persons.get(owner.number) if owner.number else None
 
+    def has_id(self, text: str) -> bool:
+        """Whether somebody of the roster has this id, or this text in another column."""
+        return text.casefold() in self._ids
+
     def knows(self, owner: Owner) -> bool:
         """Whether the table says who the owner is; where markers are blind, it does not."""
         person = self.person(owner)

@@ -18,12 +18,14 @@ class Upload:
         name: What the student called the file.
         file: Its bytes.
         received: When it came in, with a zone; None where the download does not say.
+        assignment: What it was handed in for, where the download has folders for that.
     """
 
     owner: Owner
     name: str
     file: File
     received: datetime | None = None
+    assignment: str = ""
 
     @property
     def suffix(self) -> str:
