@@ -6,9 +6,15 @@ from typing import Annotated
 import typer
 
 from .console import say
-from .options import CourseOption
+from .options import CourseOption, GradebookOption, opened
 
 exchange = typer.Typer()
+OUTPUT = "exchange"
+SheetArgument = Annotated[str, typer.Argument(help="The name of a sheet.")]
+OutputOption = Annotated[
+    Path | None,
+    typer.Option("--output", "-o", help=f"A folder; else {OUTPUT}/ in the course folder."),
+]
 ZoneOption = Annotated[
     str,
     typer.Option(
@@ -53,3 +59,56 @@ def collect(
     say(f"{len(taken.paths)} files taken, {taken.unchanged} unchanged.")
     if taken.conflicts:
         raise typer.Exit(1)
+
+
+@exchange.command()
+def handout(
+    sheet: SheetArgument,
+    worksheet: WorksheetOption = None,
+    output: OutputOption = None,
+    folder: CourseOption = Path(),
+) -> None:
+    """Write zips of the personal sheets: a folder a student, and for Moodle with its worksheet."""
+    from .config import read_course
+    from .exchange.handouts import for_moodle, plain
+    from .exchange.worksheet import read_worksheet
+
+    course = read_course(folder)
+    (chosen,) = course.sheets((sheet,))
+    place = output or folder / OUTPUT
+    print(plain(course, chosen, place))  # noqa: T201 - data of the command
+    if worksheet is not None:
+        table = read_worksheet(worksheet)
+        print(for_moodle(course, chosen, table, place))  # noqa: T201 - data of the command
+
+
+@exchange.command()
+def handback(
+    sheet: SheetArgument,
+    system: Annotated[
+        str, typer.Option("--to", help="moodle, canvas, gradescope, nbgrader or csv.")
+    ],
+    worksheet: WorksheetOption = None,
+    download: Annotated[
+        Path | None,
+        typer.Option("--download", help="Canvas's download of submissions, for comment files."),
+    ] = None,
+    column: Annotated[
+        str, typer.Option("--column", help="Canvas's column, if not called after the sheet.")
+    ] = "",
+    convert: Annotated[
+        bool, typer.Option("--scale", help="Convert points to those that the system gives.")
+    ] = False,
+    output: OutputOption = None,
+    folder: CourseOption = Path(),
+    place: GradebookOption = "",
+) -> None:
+    """Write marks and feedback of a sheet as a system takes them back."""
+    from .exchange.handback import Way, hand_back
+    from .exchange.marked import read_marked
+
+    with opened(folder, place) as (course, gradebook):
+        (chosen,) = course.sheets((sheet,))
+        way = Way(system, output or folder / OUTPUT, worksheet, download, column, convert)
+        for path in hand_back(read_marked(course, gradebook, chosen), way):
+            print(path)  # noqa: T201 - data of the command

@@ -92,6 +92,13 @@ class People:
                 )
         raise UnknownPersonError("nobody of roster.csv")
 
+    def find(self, owner: Owner) -> Student | None:
+        """The student who is meant; None where it cannot be told."""
+        try:
+            return self.student(owner)
+        except UnknownPersonError:
+            return None
+
     def _by_ids(self, ids: Iterable[str]) -> Student | None:
         """The one student to whom the ids belong; those of several people say nothing."""
         found: dict[str, str] = {}

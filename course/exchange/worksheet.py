@@ -81,6 +81,10 @@ class Worksheet:
         """The same with other lines."""
         return replace(self, rows=tuple(map(tuple, rows)))
 
+    def with_columns(self, columns: Sequence[str]) -> "Worksheet":
+        """The same under other headings."""
+        return replace(self, columns=tuple(columns))
+
     def text(self) -> str:
         """The file's text."""
         out = io.StringIO()
