@@ -9,6 +9,10 @@ from .console import say
 from .options import CourseOption, GradebookOption, opened
 
 exchange = typer.Typer()
+export = typer.Typer(
+    help="A sheet or its results in the form of another system.", no_args_is_help=True
+)
+exchange.add_typer(export, name="export")
 OUTPUT = "exchange"
 SheetArgument = Annotated[str, typer.Argument(help="The name of a sheet.")]
 OutputOption = Annotated[
@@ -111,4 +115,75 @@ def handback(
         (chosen,) = course.sheets((sheet,))
         way = Way(system, output or folder / OUTPUT, worksheet, download, column, convert)
         for path in hand_back(read_marked(course, gradebook, chosen), way):
+            print(path)  # noqa: T201 - data of the command
+
+
+@export.command("gradescope")
+def export_gradescope(
+    sheet: SheetArgument,
+    output: Annotated[
+        Path | None, typer.Option("--output", "-o", help="A .zip file; else in exchange/.")
+    ] = None,
+    accept_medium: Annotated[
+        bool,
+        typer.Option(
+            "--accept-medium",
+            help="Let it mark without bubblewrap, which Gradescope's containers do not allow.",
+        ),
+    ] = False,
+    folder: CourseOption = Path(),
+    place: GradebookOption = "",
+) -> None:
+    """Write an autograder that marks a sheet on Gradescope, as `kinegrade grade` does."""
+    from ..grader.jail.level import Permission
+    from .exchange.autograder import write_autograder
+
+    with opened(folder, place) as (course, gradebook):
+        (chosen,) = course.sheets((sheet,))
+        path = output or folder / OUTPUT / f"{sheet}-gradescope.zip"
+        permission = Permission(accept_medium=accept_medium)
+        print(write_autograder(course, gradebook, chosen, path, permission))  # noqa: T201
+    say("It holds every answer of the sheet: give it to Gradescope, and to nobody else.")
+
+
+@export.command("junit")
+def export_junit(
+    sheet: SheetArgument,
+    output: Annotated[
+        Path | None, typer.Option("--output", "-o", help="An .xml file; else in exchange/.")
+    ] = None,
+    folder: CourseOption = Path(),
+    place: GradebookOption = "",
+) -> None:
+    """Write recorded results as JUnit XML: a suite a student, a case a part."""
+    from .exchange.junit import junit
+    from .exchange.marked import read_marked
+    from .files import write_atomically
+
+    with opened(folder, place) as (course, gradebook):
+        (chosen,) = course.sheets((sheet,))
+        path = output or folder / OUTPUT / f"{sheet}-junit.xml"
+        write_atomically(path, junit(read_marked(course, gradebook, chosen)))
+        print(path)  # noqa: T201 - data of the command
+
+
+@export.command("classroom")
+def export_classroom(
+    sheet: SheetArgument,
+    output: Annotated[
+        Path | None, typer.Option("--output", "-o", help="A folder; else one in exchange/.")
+    ] = None,
+    folder: CourseOption = Path(),
+    place: GradebookOption = "",
+) -> None:
+    """Write the workflow of a GitHub Classroom template, and recorded results as it reads them."""
+    from .exchange.classroom_files import write_results, write_template
+    from .exchange.marked import read_marked
+
+    with opened(folder, place) as (course, gradebook):
+        (chosen,) = course.sheets((sheet,))
+        target = output or folder / OUTPUT / f"{sheet}-classroom"
+        paths = write_template(chosen, target / "template")
+        paths += write_results(read_marked(course, gradebook, chosen), target / "results")
+        for path in paths:
             print(path)  # noqa: T201 - data of the command
