@@ -100,6 +100,7 @@ ROOM_OF = {
                 "formulas",
                 "markdown",
                 "roster",
+                "roster_columns",
                 "text_file",
                 "words",
             )
