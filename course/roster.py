@@ -39,25 +39,28 @@ def read_roster(path: Path) -> Iterator[Student]:
     rows = csv_rows(path, text)
     heading = _heading(rows)
     columns = _columns(path, heading)
-    people: list[tuple[str, list[str]]] = []
+    people: dict[int, list[str]] = {}
     for row in rows:
         cells = _cells(path, row, heading)
-        name = " ".join(filter(None, [cells[i] for i in columns.names]))
-        if any(cells) and name.casefold() not in columns.nobody:
-            people.append((f"{path}, line {row.first}", cells))
+        if any(cells) and _name(columns, cells).casefold() not in columns.nobody:
+            people[row.first] = cells
 
-    place_of_id = _filled(columns.ids, [cells for _, cells in people])
-    seen: dict[str, str] = {}
-    for place, cells in people:
+    place_of_id = _filled(columns.ids, [*people.values()])
+    seen: dict[str, int] = {}
+    for line, cells in people.items():
         student = _without_formula(cells[place_of_id])
+        place = f"{path}, line {line}"
         _refuse_as_folder_name(place, student)
         folder = student.casefold()  # ADA and ada are one folder on some machines
         if folder in seen:
-            raise CourseError(f"{place}: student {student!r} is already in {seen[folder]}")
-        seen[folder] = place.rpartition(", ")[2]
-        name = " ".join(filter(None, [cells[i] for i in columns.names]))
+            raise CourseError(f"{place}: student {student!r} is already in line {seen[folder]}")
+        seen[folder] = line
         more = [(heading[i], cells[i]) for i in columns.more if i != place_of_id]
-        yield Student(student, name or student, tuple(more))
+        yield Student(student, _name(columns, cells) or student, tuple(more))
+
+
+def _name(columns: Columns, cells: Sequence[str]) -> str:
+    return " ".join(filter(None, [cells[i] for i in columns.names]))
 
 
 def _heading(rows: Iterator[Row]) -> list[str]:

@@ -172,9 +172,22 @@ def test_a_second_download_replaces_and_keeps_what_it_replaces(collect, folder):
     newer = MOODLE.replace("23 November 2026, 11:59 PM", "24 November 2026, 8:00 AM")
     collect({f"{ADA}/one.json": b"{}"}, worksheet=newer)
     assert set(submitted(folder)) == {"ada/.replaced/1-one.ipynb", "ada/one.json", "received.csv"}
+    assert submitted(folder)["received.csv"].decode().splitlines()[1:] == [
+        "ada,one,.replaced/1-one.ipynb,2026-11-23T23:59:00+01:00",
+        "ada,one,one.json,2026-11-24T08:00:00+01:00",
+    ]
     ran = collect({f"{ADA}/one.ipynb": sheet_of("ada")}, worksheet=MOODLE)
     assert "older than what ada has in submitted/ (2026-11-24T08:00:00+01:00); not taken" in ran.err
     assert "ada/one.ipynb" not in submitted(folder)
+
+
+def test_a_file_without_a_time_does_not_get_that_of_an_earlier_one(collect, folder):
+    collect({f"{ADA}/one.ipynb": sheet_of("ada")}, worksheet=MOODLE)
+    ran = collect({f"{ADA}/one.ipynb": sheet_of("ada", "late = 1")})
+    assert ran.code == 1
+    assert "it came without a time, and what ada has in submitted/" in ran.err
+    assert submitted(folder)["ada/one.ipynb"] == sheet_of("ada")
+    assert collect({f"{ADA}/one.ipynb": sheet_of("ada")}).code == 0
 
 
 def test_times_that_are_there_already_are_kept(collect, folder):

@@ -18,12 +18,14 @@ DEPTH = 2  # a zip in a zip, no deeper
 
 @dataclass(frozen=True)
 class Claim:
-    """A file that is a student's answer to a sheet; `beside` are the others handed in with it."""
+    """A file that is a student's answer to a sheet; `beside` are others that it mentions.
+
+    It holds no bytes, as those of a large class together may not fit: they are read again.
+    """
 
     student: str
     sheet: str
     upload: Upload
-    data: bytes
     beside: tuple[Upload, ...] = ()
 
 
@@ -105,18 +107,19 @@ class _Looker:
         """
         if upload.suffix not in READERS:
             return None
-        data = upload.file.read()
-        says = inside(data) if upload.suffix == NOTEBOOK else Inside()
+        says = Inside()
+        if upload.suffix == NOTEBOOK:
+            says = inside(upload.file.read())
         which = says.sheet or self._called_after(upload.name)
         if not which and upload.suffix == NOTEBOOK and upload.assignment in self._sheets:
             which = upload.assignment
         if not which:
             return None
-        return self._claim(upload, data, says, which)
+        return self._claim(upload, says, which)
 
     def claim_as(self, upload: Upload, sheet: str) -> Claim:
         """The claim of an upload that does not say which sheet it is. Raises as `claim`."""
-        return self._claim(upload, upload.file.read(), Inside(), sheet)
+        return self._claim(upload, Inside(), sheet)
 
     def likely(self, unnamed: Sequence[Upload], claims: Sequence[Claim]) -> list[Upload]:
         """Files that are answers to the given sheet, of people who have no other answer.
@@ -134,7 +137,7 @@ class _Looker:
             best[one.owner] = min(rank, best.get(one.owner, rank))
         return [one for one in answers if order.index(one.suffix) == best[one.owner]]
 
-    def _claim(self, upload: Upload, data: bytes, says: Inside, which: str) -> Claim:
+    def _claim(self, upload: Upload, says: Inside, which: str) -> Claim:
         if which not in self._sheets:
             raise RefusedError(
                 f"{upload.place}: it is of sheet {which!r}, which this course does not have"
@@ -144,7 +147,7 @@ class _Looker:
                 f"{upload.place}: it is of sheet {which}, and was handed in as {self._given}; "
                 "it is not taken"
             )
-        return Claim(self._student(upload, says), which, upload, data)
+        return Claim(self._student(upload, says), which, upload)
 
     def _called_after(self, name: str) -> str:
         """The sheet that a file is called after, such as `one (1).ipynb`; empty where none."""
@@ -178,13 +181,17 @@ def _with_files_beside(
     found: list[Claim] = []
     mentioned: list[Upload] = []
     for claim in claims:
-        beside = [other for other in others if _mentions(claim, other)]
+        theirs = [other for other in others if other.owner == claim.upload.owner]
+        beside = list(_mentioned(claim, theirs))
         mentioned += beside
         found.append(replace(claim, beside=tuple(beside)))
     return found, [other for other in others if other not in mentioned]
 
 
-def _mentions(claim: Claim, other: Upload) -> bool:
-    stem = PurePath(other.name).stem.encode()
-    notebook = claim.upload.suffix == NOTEBOOK
-    return notebook and other.owner == claim.upload.owner and stem in claim.data
+def _mentioned(claim: Claim, others: Sequence[Upload]) -> Iterator[Upload]:
+    if not others or claim.upload.suffix != NOTEBOOK:
+        return
+    data = claim.upload.file.read()
+    for other in others:
+        if PurePath(other.name).stem.encode() in data:
+            yield other

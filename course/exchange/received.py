@@ -1,4 +1,7 @@
-"""submitted/received.csv: when each file came in, as the system says that it came from."""
+"""submitted/received.csv: when each file came in, as the system says that it came from.
+
+A file is named as it lies in submitted/<student>/, also one that a newer one replaced.
+"""
 
 import csv
 import io
@@ -63,18 +66,13 @@ def _receipt(place: str, cells: dict[str, str]) -> Receipt:
     return Receipt(cells["student"], cells["sheet"], cells["file"], received)
 
 
-def merge_receipts(folder: Path, new: Iterable[Receipt]) -> None:
-    """Adds receipts; of the same file, the last one counts. Sorted, all or nothing."""
-    merged: dict[tuple[str, str, str], Receipt] = {}
-    for one in (*read_receipts(folder), *new):
-        merged[one.student, one.sheet, one.file] = one
-    if not merged:
-        return
+def write_receipts(folder: Path, receipts: Iterable[Receipt]) -> None:
+    """Writes them sorted, all or nothing; where nothing changed, the file stays as it is."""
+    lines = sorted((one.student, one.sheet, one.file, one.received.isoformat()) for one in receipts)
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
     writer.writerow(COLUMNS)
-    for key in sorted(merged):
-        writer.writerow([*key, merged[key].received.isoformat()])
+    writer.writerows(lines)
     path = folder / "submitted" / FILE
-    if not path.exists() or path.read_text(encoding="utf-8-sig") != out.getvalue():
+    if lines and not (path.exists() and path.read_bytes() == out.getvalue().encode()):
         write_atomically(path, out.getvalue())

@@ -1,7 +1,7 @@
 """Claims taken into submitted/: the newest of each student and sheet; what it replaces is kept."""
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from datetime import UTC, datetime
 from pathlib import Path, PurePath
 
@@ -10,8 +10,10 @@ from ..escape import printable
 from ..files import write_atomically
 from ..roster import DEVICE
 from ..sheet.submissions import MAX_BESIDE, READERS
+from .archive import RefusedError
 from .claims import Claim, Looked
-from .received import Receipt, merge_receipts, read_receipts
+from .received import Receipt, read_receipts, write_receipts
+from .upload import Upload
 
 REPLACED = ".replaced"
 """The folder of a student with files that newer ones replaced."""
@@ -36,35 +38,25 @@ class Taken:
 
 def take(course: Course, looked: Looked) -> Taken:
     """Writes what was claimed, and submitted/received.csv with the times."""
-    taken = Taken(conflicts=list(looked.conflicts))
-    times: dict[tuple[str, str], datetime] = {}
-    for receipt in read_receipts(course.folder):
-        key = (receipt.student, receipt.sheet)
-        times[key] = max(receipt.received, times.get(key, receipt.received))
-
-    receipts: list[Receipt] = []
+    taker = _Taker(course)
     for (student, sheet), claims in sorted(_by_answer(looked.claims).items()):
         if len({claim.upload.owner for claim in claims}) > 1:
             places = " and ".join(claim.upload.place for claim in claims)
-            taken.conflicts.append(
+            taker.taken.conflicts.append(
                 f"{student}, sheet {sheet}: {places} came from different people; neither is taken"
             )
             continue
-        newest = _newest(claims, taken)
-        received = newest.upload.received
-        earlier = times.get((student, sheet))
-        if received is not None and earlier is not None and received < earlier:
-            taken.notes.append(
-                f"{newest.upload.place}: older than what {student} has in submitted/ "
-                f"({earlier.isoformat()}); not taken"
-            )
-            continue
-        path = _write(course, newest, taken)
-        if received is not None:
-            receipts.append(Receipt(student, sheet, path.name, received))
-    merge_receipts(course.folder, receipts)
-    taken.notes += [*looked.notes, *_not_read(looked)]
-    return taken
+        newest = _newest(claims, taker.taken)
+        try:
+            taker.take(newest)
+        except RefusedError as error:
+            taker.taken.conflicts.append(str(error))
+    write_receipts(course.folder, taker.receipts.values())
+    taker.taken.conflicts[:0] = looked.conflicts
+    why = "no answers to a sheet of this course; not taken"
+    others = [f"{upload.place}: {why}" for upload in looked.passed_over]
+    taker.taken.notes += [*looked.notes, *others]
+    return taker.taken
 
 
 def _by_answer(claims: Iterable[Claim]) -> Mapping[tuple[str, str], list[Claim]]:
@@ -94,60 +86,100 @@ def _age(claim: Claim) -> tuple[datetime, datetime, int, str]:
     return received, modified, -list(READERS).index(upload.suffix), upload.place
 
 
-def _write(course: Course, claim: Claim, taken: Taken) -> Path:
-    """The file in submitted/<student>/, with those beside it; what was there is set aside."""
-    folder = course.folder / "submitted" / claim.student
-    path = folder / f"{claim.sheet}{claim.upload.suffix}"
-    if path.is_file() and not path.is_symlink() and path.read_bytes() == claim.data:
-        taken.unchanged += 1
-    else:
-        for suffix in READERS:
-            _set_aside(folder / f"{claim.sheet}{suffix}")
-        write_atomically(path, claim.data)
-        taken.paths.append(path)
-    _write_beside(course, folder, claim, taken)
-    return path
+class _Taker:
+    """Puts files into submitted/ and keeps the times in step with them."""
 
+    def __init__(self, course: Course) -> None:
+        self._course = course
+        self.taken = Taken()
+        self.receipts: dict[tuple[str, str], Receipt] = {}
+        for one in read_receipts(course.folder):
+            self.receipts[one.student, one.file] = one
 
-def _set_aside(path: Path) -> None:
-    """Moves a file that would be marked in place of the new one; nothing that came in is lost."""
-    if not path.exists() and not path.is_symlink():
-        return
-    kept = path.parent / REPLACED
-    kept.mkdir(exist_ok=True)
-    number = 1
-    while (kept / f"{number}-{path.name}").exists():
-        number += 1
-    path.rename(kept / f"{number}-{path.name}")
+    def take(self, claim: Claim) -> None:
+        """The file in submitted/<student>/, with those beside it; what was there is set aside.
 
-
-def _write_beside(course: Course, folder: Path, claim: Claim, taken: Taken) -> None:
-    """Data and modules that the notebook mentions, under their own names."""
-    left = MAX_BESIDE
-    for other in claim.beside:
-        if not _may_be_called(course, other.name):
-            taken.notes.append(f"{other.place}: no file beside a notebook is called so; not taken")
-            continue
-        data = other.file.read()
-        left -= len(data)
-        if left < 0:
-            taken.notes.append(f"{other.place}: more than a notebook may have beside it; not taken")
+        Raises:
+            RefusedError: it cannot be read, or its time is not known and that of the file there is.
+        """
+        folder = self._course.folder / "submitted" / claim.student
+        path = folder / f"{claim.sheet}{claim.upload.suffix}"
+        data = claim.upload.file.read()
+        same = _holds(path, data)
+        if not self._is_newer(claim, same=same):
             return
-        path = folder / other.name
-        if not path.is_file() or path.is_symlink() or path.read_bytes() != data:
-            _set_aside(path)
+        if same:
+            self.taken.unchanged += 1
+        else:
+            for suffix in READERS:
+                self._set_aside(claim.student, folder / f"{claim.sheet}{suffix}")
             write_atomically(path, data)
+            self.taken.paths.append(path)
+        if claim.upload.received is not None:
+            receipt = Receipt(claim.student, claim.sheet, path.name, claim.upload.received)
+            self.receipts[claim.student, path.name] = receipt
+        self._take_beside(folder, claim)
+
+    def _is_newer(self, claim: Claim, *, same: bool) -> bool:
+        """Whether a file goes before what is there; an older one is named."""
+        upload = claim.upload
+        times: list[datetime] = []
+        for suffix in READERS:
+            receipt = self.receipts.get((claim.student, f"{claim.sheet}{suffix}"))
+            if receipt is not None:
+                times.append(receipt.received)
+        if not times or (upload.received is None and same):
+            return True
+        there = f"what {claim.student} has in submitted/ ({max(times).isoformat()})"
+        if upload.received is None:
+            raise RefusedError(
+                f"{upload.place}: it came without a time, and {there} has one; it is not taken"
+            )
+        if upload.received < max(times):
+            self.taken.notes.append(f"{upload.place}: older than {there}; not taken")
+            return False
+        return True
+
+    def _set_aside(self, student: str, path: Path) -> None:
+        """Moves a file that would be marked in place of the new one; nothing is lost."""
+        if not path.exists() and not path.is_symlink():
+            return
+        kept = path.parent / REPLACED
+        kept.mkdir(exist_ok=True)
+        number = 1
+        while (kept / f"{number}-{path.name}").exists():
+            number += 1
+        name = f"{number}-{path.name}"
+        path.rename(kept / name)
+        receipt = self.receipts.pop((student, path.name), None)
+        if receipt is not None:
+            inside = f"{REPLACED}/{name}"
+            self.receipts[student, inside] = replace(receipt, file=inside)
+
+    def _take_beside(self, folder: Path, claim: Claim) -> None:
+        """Data and modules that the notebook mentions, under their own names."""
+        left = MAX_BESIDE
+        for other in claim.beside:
+            if not self._may_be_called(other):
+                self.taken.notes.append(f"{other.place}: no file can be called so; not taken")
+                continue
+            data = other.file.read()
+            left -= len(data)
+            if left < 0:
+                said = f"{other.place}: more than a notebook may have beside it; not taken"
+                self.taken.notes.append(said)
+                return
+            if not _holds(folder / other.name, data):
+                self._set_aside(claim.student, folder / other.name)
+                write_atomically(folder / other.name, data)
+
+    def _may_be_called(self, other: Upload) -> bool:
+        """Whether a name is not that of a sheet's answer, and possible on every system."""
+        sheets = {sheet.name.casefold() for sheet in self._course.settings.sheet}
+        plain = other.name == printable(other.name) and not set(other.name) & set('/\\:*?"<>|')
+        stem = PurePath(other.name).stem.casefold()
+        return plain and not DEVICE.fullmatch(other.name) and stem not in sheets
 
 
-def _may_be_called(course: Course, name: str) -> bool:
-    """Whether a file of that name is no sheet's answer, and can be called so on every system."""
-    stem = PurePath(name).stem
-    sheets = {sheet.name.casefold() for sheet in course.settings.sheet}
-    plain = name == printable(name) and not set(name) & set('/\\:*?"<>|')
-    return plain and not DEVICE.fullmatch(name) and stem.casefold() not in sheets
-
-
-def _not_read(looked: Looked) -> list[str]:
-    """Files that hold no answers, such as pictures, are named."""
-    why = "no answers to a sheet of this course; not taken"
-    return [f"{upload.place}: {why}" for upload in looked.passed_over]
+def _holds(path: Path, data: bytes) -> bool:
+    return path.is_file() and not path.is_symlink() and path.read_bytes() == data
