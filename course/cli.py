@@ -15,6 +15,7 @@ import typer
 from ..solutions.errors import KinegradeError
 from .complaints import debugging, one_of_each
 from .console import progress, say
+from .exchange_command import exchange
 from .gradebook_command import book
 from .marks_command import marks
 from .options import CourseOption, GradebookOption, JsonOption, SheetArguments, opened
@@ -33,6 +34,7 @@ app = typer.Typer(
 app.add_typer(marks, name="marks")
 app.add_typer(book, name="gradebook")
 add_to(app)
+app.add_typer(exchange)
 STOPPED = 130  # what typer makes of Ctrl-C
 
 

@@ -13,7 +13,8 @@ from .secret import FILE, write_secret
 ROSTER = "student,name\nstudent01,First Student\nstudent02,Second Student\n"
 PRIVATE = (
     FILE, "gradebook.sqlite*",
-    "released/", "solutions/", "submitted/", "feedback/", "report/", "grades*.csv",
+    "released/", "solutions/", "submitted/", "feedback/", "report/", "exchange/",
+    "grades*.csv",
 )  # fmt: skip
 """What a course repository does not hold, as it would give away the secret, answers or marks."""
 

@@ -1,18 +1,20 @@
 """roster.csv: who takes part, in the order of the file, or the line that cannot be meant."""
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from .errors import CourseError
 from .escape import printable
+from .roster_columns import Columns, roster_columns
 from .text_file import SEPARATORS, Row, csv_rows, text_of
 
 SAFE_NAME = re.compile(r"[A-Za-z0-9]([A-Za-z0-9._-]{0,62}[A-Za-z0-9_-])?")
 DEVICE = re.compile(r"(con|prn|aux|nul|com[0-9]|lpt[0-9])(\..*)?", re.IGNORECASE)
 """No file can be called so on Windows."""
-COLUMNS = ("student", "name")
+FORMULA = re.compile(r'="?([^"]*)"?')
+"""How people keep a spreadsheet from taking an id for a number: ="00123"."""
 
 
 @dataclass(frozen=True)
@@ -27,60 +29,86 @@ class Student:
 def read_roster(path: Path) -> Iterator[Student]:
     """Students in the order of roster.csv, which takes the columns student and name.
 
-    Control characters in a name, which a page or a terminal would obey, are replaced.
+    Or those that other systems export: an id number or a login, first and last names, Canvas's
+    gradebook. Control characters in a name, which a page or a terminal would obey, are replaced.
 
     Raises:
         CourseError: it is missing or unreadable, or a line of it cannot be meant.
     """
     text = text_of(path, "a course folder takes a roster.csv with the columns student,name")
     rows = csv_rows(path, text)
-    columns = _columns(path, rows)
-    others = [column for column in columns if column not in ("", *COLUMNS)]
-    seen: dict[str, int] = {}
+    heading = _heading(rows)
+    columns = _columns(path, heading)
+    people: dict[int, list[str]] = {}
     for row in rows:
-        cells = _cells(path, row, columns)
-        if not any(cells.values()):
-            continue
-        student = cells["student"]
-        place = f"{path}, line {row.first}"
+        cells = _cells(path, row, heading)
+        if any(cells) and _name(columns, cells).casefold() not in columns.nobody:
+            people[row.first] = cells
+
+    place_of_id = _filled(columns.ids, [*people.values()])
+    seen: dict[str, int] = {}
+    for line, cells in people.items():
+        student = _without_formula(cells[place_of_id])
+        place = f"{path}, line {line}"
         _refuse_as_folder_name(place, student)
         folder = student.casefold()  # ADA and ada are one folder on some machines
         if folder in seen:
             raise CourseError(f"{place}: student {student!r} is already in line {seen[folder]}")
-        seen[folder] = row.first
-        more = [(column, text) for column, text in cells.items() if column in others]
-        yield Student(student, cells["name"] or student, tuple(more))
+        seen[folder] = line
+        more = [(heading[i], cells[i]) for i in columns.more if i != place_of_id]
+        yield Student(student, _name(columns, cells) or student, tuple(more))
 
 
-def _columns(path: Path, rows: Iterator[Row]) -> list[str]:
-    """The names in the first line that is not empty; those that we look for in small letters."""
-    heading: list[str] = []
+def _name(columns: Columns, cells: Sequence[str]) -> str:
+    return " ".join(filter(None, [cells[i] for i in columns.names]))
+
+
+def _heading(rows: Iterator[Row]) -> list[str]:
+    """The first line that is not empty."""
     for row in rows:
         heading = [cell.strip() for cell in row.cells]
         if any(heading):
-            break
-    columns: list[str] = []
-    for cell in heading:
-        small = cell.lower()
-        columns.append(small if small in COLUMNS else cell)
+            return heading
+    return []
+
+
+def _columns(path: Path, heading: Sequence[str]) -> Columns:
+    """The columns of ids and names, which have to be there, and the others."""
     found = ", ".join(heading) or "nothing"
-    for column in COLUMNS:
-        if columns.count(column) == 0:
-            raise CourseError(
-                f"{path}: the column {column!r} is missing; the first line has: {found}"
-            )
-        if columns.count(column) > 1:
+    small = [cell.casefold() for cell in heading]
+    for column in ("student", "name"):
+        if small.count(column) > 1:
             raise CourseError(
                 f"{path}: the column {column!r} is there twice; the first line has: {found}"
+            )
+    columns = roster_columns(heading)
+    for column, places in (("student", columns.ids), ("name", columns.names)):
+        if not places:
+            raise CourseError(
+                f"{path}: the column {column!r} is missing; the first line has: {found}"
             )
     return columns
 
 
-def _cells(path: Path, row: Row, columns: Sequence[str]) -> Mapping[str, str]:
-    """The cells of a row by column, with single spaces and nothing that is not seen."""
-    if any(row.cells[len(columns) :]):
+def _filled(places: Sequence[int], people: Sequence[Sequence[str]]) -> int:
+    """The first column of ids in which everybody has one that can name a folder."""
+    for i in places:
+        ids = [_without_formula(cells[i]) for cells in people]
+        if all(map(SAFE_NAME.fullmatch, ids)):
+            return i
+    return places[0]
+
+
+def _without_formula(cell: str) -> str:
+    found = FORMULA.fullmatch(cell)
+    return found[1] if found else cell
+
+
+def _cells(path: Path, row: Row, heading: Sequence[str]) -> list[str]:
+    """The cells of a row, one a heading, with single spaces and nothing that is not seen."""
+    if any(row.cells[len(heading) :]):
         raise CourseError(
-            f"{path}, line {row.first}: {len(row.cells)} cells for {len(columns)} columns; "
+            f"{path}, line {row.first}: {len(row.cells)} cells for {len(heading)} columns; "
             'a name with a comma takes quotes: "Lovelace, Ada"'
         )
     if any(map(_is_a_line_too_many, row.cells)):
@@ -88,9 +116,9 @@ def _cells(path: Path, row: Row, columns: Sequence[str]) -> Mapping[str, str]:
             f"{path}, line {row.first}: a cell goes on to line {row.last} and holds what looks "
             "like the next student; a quotation mark may be left open"
         )
-    cells = dict.fromkeys(columns, "")
-    for column, text in zip(columns, row.cells, strict=False):  # a row may be shorter
-        cells[column] = printable(" ".join(text.split()))
+    cells = [""] * len(heading)
+    for i, text in enumerate(row.cells[: len(heading)]):  # a row may be shorter
+        cells[i] = printable(" ".join(text.split()))
     return cells
 
 

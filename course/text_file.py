@@ -40,7 +40,9 @@ def text_of(path: Path, missing: str) -> str:
     try:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
-        raise CourseError(f"{path} cannot be read as UTF-8 text: {error}") from error
+        raise CourseError(
+            f"{path} cannot be read as UTF-8 text; Excel writes that as 'CSV UTF-8': {error}"
+        ) from error
 
 
 def csv_rows(path: Path, text: str) -> Iterator[Row]:

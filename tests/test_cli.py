@@ -271,7 +271,7 @@ BAD_COURSES = {
         "line 5: student 'ADA' is already in line 2",
     ),
     "missing column": (
-        lambda folder: (folder / "roster.csv").write_text("id,name\n"),
+        lambda folder: (folder / "roster.csv").write_text("alias,name\n"),
         "the column 'student' is missing",
     ),
     "bad id": (

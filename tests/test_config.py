@@ -255,3 +255,56 @@ def test_other_columns_of_a_roster_are_kept_in_their_order(tmp_path):
 
 def test_a_roster_without_students_is_empty(tmp_path):
     assert roster(tmp_path, "student,name\n") == []
+
+
+EXPORTED = {
+    "Excel in German": (
+        "\ufeffMatrikelnummer;Vorname;Nachname;Gruppe\r\n0012345;Ada;Lovelace;1\r\n0012346;Ben;Bot;2\r\n",
+        [("0012345", "Ada Lovelace"), ("0012346", "Ben Bot")],
+    ),
+    "capitals and other words": (
+        "KENNUNG\tFull Name\nab12cd\tAda Lovelace\n",
+        [("ab12cd", "Ada Lovelace")],
+    ),
+    "zeros kept by a formula": (
+        'Student ID,Name\n"=""00123""",Ada\n="007",Ben\n',
+        [("00123", "Ada"), ("007", "Ben")],
+    ),
+    "Moodle": (
+        '"First name","Last name","ID number","Email address",Groups\nAda,Lovelace,s01,ada@example.org,A\nBen,Bot,s02,ben@example.org,\n',
+        [("s01", "Ada Lovelace"), ("s02", "Ben Bot")],
+    ),
+    "Moodle without id numbers": (
+        "First name,Last name,ID number,Username\nAda,Lovelace,s01,al\nBen,Bot,,bb\n",
+        [("al", "Ada Lovelace"), ("bb", "Ben Bot")],
+    ),
+    "Canvas": (
+        'Student,ID,SIS User ID,SIS Login ID,Section,Sheet one (8123)\n    Points Possible,,,,,5\n"Lovelace, Ada",4711,s01,ada@example.org,R1,3\n"Student, Test",99,,x,R1,\n',
+        [("s01", "Lovelace, Ada")],
+    ),
+    "Canvas without a SIS": (
+        'Student,ID,SIS Login ID,Section\n"Lovelace, Ada",4711,ada@example.org,R1\n',
+        [("4711", "Lovelace, Ada")],
+    ),
+    "two people of one name": (
+        "Student, Name, Section\ns1,Ada Lovelace,1\ns2,Ada Lovelace,2\n",
+        [("s1", "Ada Lovelace"), ("s2", "Ada Lovelace")],
+    ),
+}
+
+
+@pytest.mark.parametrize("system", EXPORTED)
+def test_what_other_systems_export_is_a_roster(tmp_path, system):
+    text, students = EXPORTED[system]
+    assert [(student.id, student.name) for student in roster(tmp_path, text)] == students
+
+
+def test_a_roster_of_canvas_keeps_its_ids_and_no_grades(tmp_path):
+    text, _ = EXPORTED["Canvas"]
+    (ada,) = roster(tmp_path, text)
+    assert ada.more == (("ID", "4711"), ("SIS Login ID", "ada@example.org"), ("Section", "R1"))
+
+
+def test_an_id_that_nobody_filled_in_is_named_with_its_line(tmp_path):
+    with pytest.raises(CourseError, match=r"line 3: a student takes an id of letters.*got ''"):
+        roster(tmp_path, "Vorname,Nachname,Matrikelnummer\nAda,L,1\nBen,B,\n")

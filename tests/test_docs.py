@@ -1,11 +1,14 @@
 """What README and docs show is run, and what they point to is there."""
 
 import re
+import shlex
 from pathlib import Path
 
+import downloads
 import numpy as np
 import pytest
 from answers import answer_code, raws
+from courses import hand_in, handed_out, make_course, right_answers
 from kinegrade.course.config import read_course
 from kinegrade.course.demo import fill_in
 from kinegrade.course.gradebook import Gradebook
@@ -91,3 +94,56 @@ def test_the_exercise_of_the_docs_gives_zeros_nothing(tmp_path):
     v = exercise.draw(np.random.default_rng(0))
     zeros = {"tip_speed_J": np.zeros((2, 2)), "tip_speed_xi": np.zeros(2)}
     assert sum(verdict.points or 0 for verdict in mark(exercise, v, raws(zeros))) == 0
+
+
+def commands(page):
+    """The lines of a page that run Kinegrade, without what is said behind them."""
+    lines = "\n".join(blocks(page, "sh")).splitlines()
+    return [line.partition(" # ")[0].strip() for line in lines if line.startswith("kinegrade ")]
+
+
+def as_other_systems_wrote_it(folder):
+    """Downloads and tables under the names that the page on exchange gives them."""
+    downloads.written(folder / "worksheet.csv", downloads.MOODLE)
+    downloads.written(folder / "gradebook.csv", downloads.CANVAS)
+    downloads.written(folder / "grades.csv", downloads.CLASSROOM)
+    ada = downloads.sheet_of("ada", sheet="jacobian")
+    downloads.zip_file(
+        folder / "export.zip",
+        {
+            "submission_metadata.yml": downloads.GRADESCOPE.encode(),
+            "submission_501/jacobian.ipynb": ada,
+        },
+    )
+    for place in ("nbgrader_course/submitted/ada/jacobian", "repositories/jacobian-lady-ada"):
+        (folder / place).mkdir(parents=True)
+        (folder / place / "jacobian.ipynb").write_bytes(ada)
+        (folder / place / "timestamp.txt").write_text("2026-11-24 10:00:00 UTC")
+
+
+def test_every_command_of_the_page_on_exchange_does_its_work(kinegrade, tmp_path, monkeypatch):
+    settings = make_course(tmp_path / "mycourse") / "course.toml"
+    settings.write_text(settings.read_text().replace('name = "one"', 'name = "jacobian"'))
+    course = handed_out(tmp_path / "mycourse")
+    for student in ("ada", "ben"):
+        answers = right_answers(course, student, "jacobian")
+        hand_in(course, student, answers, "jacobian.json")
+    as_other_systems_wrote_it(tmp_path)
+    monkeypatch.chdir(tmp_path)
+    done = []
+    for command in commands(ROOT / "docs" / "exchange.md"):
+        system = "canvas" if "canvas" in command else "moodle"
+        downloads.zip_file(tmp_path / "submissions.zip", SUBMISSIONS[system])
+        _, *words = shlex.split(command)
+        ran = kinegrade(*words)
+        assert ran.code == 0, (command, ran.err)
+        done.append(words[0])
+    assert set(done) == {"collect", "handout", "handback", "export", "grade"}
+
+
+SUBMISSIONS = {
+    "moodle": {
+        "Ben Bot_9002_assignsubmission_file/jacobian.json": b"{}",
+    },
+    "canvas": {"botben_4712_88002_jacobian.json": b"{}"},
+}

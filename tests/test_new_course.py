@@ -82,6 +82,7 @@ def test_all_that_a_course_writes_besides_its_settings_is_kept_out_of_a_reposito
         "submitted/",
         "feedback/",
         "report/",
+        "exchange/",
     }
     assert set(PRIVATE) == named | {"grades*.csv"}
 

@@ -76,14 +76,19 @@ ROOMS = {
     | {"course", "course/ground", "course/sheet", "course/typeset"}
     | {"exercises", "exercises/files"}
     | {"grader/collecting", "grader/jail", "grader/kinds", "grader/marking", "grader/telling"},
+    "course/exchange": ENGINE
+    | {"course", "course/ground", "course/sheet", "course/term", "exercises", "exercises/files"}
+    | {"grader/jail", "grader/marking"},
     "course/command": ENGINE
-    | {"course", "course/ground", "course/sheet", "course/proof", "exercises", "exercises/files"}
+    | {"course", "course/ground", "course/sheet", "course/proof", "course/exchange"}
+    | {"exercises", "exercises/files"}
     | {"grader/figures", "grader/jail"},
 }
 """Which rooms each room may import from, besides itself; a folder is a room, and what lies beside it another."""
 ROOM_OF = {
     "exercises/part": "exercises/part",
     "course/cli": "course/command",
+    "course/exchange_command": "course/command",
     **dict.fromkeys(
         [
             f"course/{name}"
@@ -98,6 +103,7 @@ ROOM_OF = {
                 "roster",
                 "settings",
                 "spelling",
+                "roster_columns",
                 "text_file",
                 "times",
                 "words",
@@ -113,6 +119,7 @@ DISTRIBUTIONS = {
     "sqlalchemy": "SQLAlchemy",
     "markupsafe": "jinja2",
     "markdown_it": "markdown-it-py",
+    "yaml": "PyYAML",
 }  # jinja2 brings markupsafe
 HEAVY = (
     "sympy",

@@ -12,7 +12,7 @@ from kinegrade.course.grades import SheetResults, totals
 from kinegrade.course.marking import mark_sheets
 from kinegrade.course.results import recorded_results
 from kinegrade.course.sheets import exercises_of
-from kinegrade.course.term.received import listed_times
+from kinegrade.course.term.received import read_receipts
 from kinegrade.course.times import Lateness, lateness, read_time, rules_text, time_text
 
 DEADLINE = datetime(2026, 10, 8, 22, 0, tzinfo=UTC)
@@ -141,14 +141,15 @@ def test_a_file_keeps_the_time_at_which_it_was_seen_first(tmp_path):
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("student,sheet,received\n", "the column 'file' is missing"),
+        ("student,sheet,received\nada,one,2026-10-08\n", "line 2: file is missing"),
         ("student,sheet,file,received\nada,one,one.json,yesterday\n", "line 2: a time takes"),
     ],
 )
 def test_what_received_csv_cannot_mean_is_named(tmp_path, text, said):
-    (tmp_path / "received.csv").write_text(text, encoding="utf-8")
+    (tmp_path / "submitted").mkdir()
+    (tmp_path / "submitted" / "received.csv").write_text(text, encoding="utf-8")
     with pytest.raises(CourseError, match=said):
-        listed_times(tmp_path)
+        read_receipts(tmp_path)
 
 
 def test_an_extension_is_granted_and_taken_back(tmp_path, kinegrade):

@@ -1,0 +1,120 @@
+"""A download taken into a course: which system it is from, and how that one is read."""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from datetime import tzinfo
+from pathlib import Path
+
+from ..config import Course
+from ..errors import CourseError
+from ..escape import printable
+from . import canvas, classroom, gradescope, moodle, nbgrader
+from .archive import Contents, opened_download
+from .claims import look
+from .people import People, Person
+from .taking import Taken, take
+from .upload import Upload
+from .worksheet import Worksheet, read_worksheet
+
+
+@dataclass(frozen=True)
+class System:
+    """How a system's downloads are read.
+
+    Attributes:
+        recognizes: Whether a download is from it.
+        uploads: The files of a download with their owners.
+        persons: The lines of its table of people.
+        without_times: What is said where files came in without a time.
+    """
+
+    recognizes: Callable[[Contents], bool]
+    uploads: Callable[[Contents, People], Iterator[Upload]]
+    persons: Callable[[Worksheet, tzinfo | None], Iterator[Person]]
+    without_times: str
+
+
+def _no_table(worksheet: Worksheet, _: tzinfo | None) -> Iterator[Person]:
+    raise CourseError(f"{worksheet.path}: this system's download says itself whose files it holds")
+
+
+SYSTEMS: dict[str, System] = {
+    "moodle": System(
+        moodle.recognizes,
+        moodle.uploads,
+        moodle.persons,
+        "the times of submission stand in the grading worksheet: --worksheet W.csv",
+    ),
+    "canvas": System(
+        canvas.recognizes,
+        lambda contents, _: canvas.uploads(contents),
+        lambda worksheet, _: canvas.persons(worksheet),
+        "Canvas's download has none; what is known can be entered in submitted/received.csv",
+    ),
+    "gradescope": System(
+        gradescope.recognizes,
+        lambda contents, _: gradescope.uploads(contents),
+        _no_table,
+        "the export names none for them",
+    ),
+    "nbgrader": System(
+        nbgrader.recognizes,
+        lambda contents, _: nbgrader.uploads(contents),
+        _no_table,
+        "there is no timestamp.txt beside them",
+    ),
+    "classroom": System(
+        classroom.recognizes,
+        classroom.uploads,
+        classroom.persons,
+        "the times of submission stand in the table of grades: --worksheet GRADES.csv",
+    ),
+}
+
+
+def collect(
+    course: Course,
+    download: Path,
+    system: str = "",
+    worksheet: Path | None = None,
+    sheet: str = "",
+    zone: tzinfo | None = None,
+) -> Taken:
+    """Takes the newest answers of a download into submitted/, with the times that it has.
+
+    Raises:
+        CourseError: the download, the worksheet or one of the names cannot be meant.
+    """
+    if sheet:
+        course.sheets((sheet,))
+    with opened_download(download) as contents:
+        chosen = _system(download, contents, system)
+        table: list[Person] = []
+        if worksheet is not None:
+            table += chosen.persons(read_worksheet(worksheet), zone)
+        people = People(course.students, table)
+        found = list(chosen.uploads(contents, people))
+        taken = take(course, look(course, people, found, sheet))
+        taken.conflicts[:0] = contents.refused
+    late = canvas.named_late(contents)
+    if chosen is SYSTEMS["canvas"] and late:
+        names = ", ".join(printable(file.path.name) for file in late)
+        taken.notes.append(f"Canvas calls these late: {names}")
+    timeless = [upload for upload in found if upload.received is None]
+    if timeless:
+        taken.notes.append(f"{len(timeless)} files came without a time; {chosen.without_times}")
+    return taken
+
+
+def _system(download: Path, contents: Contents, name: str) -> System:
+    if name:
+        if name not in SYSTEMS:
+            raise CourseError(f"--from takes one of {', '.join(SYSTEMS)}, got {name!r}")
+        return SYSTEMS[name]
+    for system in SYSTEMS.values():
+        if system.recognizes(contents):
+            return system
+    raise CourseError(
+        f"{download}: this is not known as the download of a system; "
+        f"--from says which one it is from: {', '.join(SYSTEMS)}"
+    )

@@ -1,0 +1,185 @@
+"""Claims taken into submitted/: the newest of each student and sheet; what it replaces is kept."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from datetime import UTC, datetime
+from pathlib import Path, PurePath
+
+from ..config import Course
+from ..escape import printable
+from ..files import write_atomically
+from ..roster import DEVICE
+from ..sheet.submissions import MAX_BESIDE, READERS
+from ..term.received import Receipt, read_receipts, write_receipts
+from .archive import RefusedError
+from .claims import Claim, Looked
+from .upload import Upload
+
+REPLACED = ".replaced"
+"""The folder of a student with files that newer ones replaced."""
+
+
+@dataclass
+class Taken:
+    """What `collect` did.
+
+    Attributes:
+        paths: Files that are new or changed.
+        unchanged: How many were there already.
+        conflicts: Sentences on files that are not taken and that a person has to look at.
+        notes: Sentences on files that are not taken as they need not be.
+    """
+
+    paths: list[Path] = field(default_factory=list[Path])
+    unchanged: int = 0
+    conflicts: list[str] = field(default_factory=list[str])
+    notes: list[str] = field(default_factory=list[str])
+
+
+def take(course: Course, looked: Looked) -> Taken:
+    """Writes what was claimed, and submitted/received.csv with the times."""
+    taker = _Taker(course)
+    for (student, sheet), claims in sorted(_by_answer(looked.claims).items()):
+        if len({claim.upload.owner for claim in claims}) > 1:
+            places = " and ".join(claim.upload.place for claim in claims)
+            taker.taken.conflicts.append(
+                f"{student}, sheet {sheet}: {places} came from different people; neither is taken"
+            )
+            continue
+        newest = _newest(claims, taker.taken)
+        try:
+            taker.take(newest)
+        except RefusedError as error:
+            taker.taken.conflicts.append(str(error))
+    write_receipts(course.folder, taker.receipts.values())
+    taker.taken.conflicts[:0] = looked.conflicts
+    why = "no answers to a sheet of this course; not taken"
+    others = [f"{upload.place}: {why}" for upload in looked.passed_over]
+    taker.taken.notes += [*looked.notes, *others]
+    return taker.taken
+
+
+def _by_answer(claims: Iterable[Claim]) -> Mapping[tuple[str, str], list[Claim]]:
+    found: dict[tuple[str, str], list[Claim]] = {}
+    for claim in claims:
+        found.setdefault((claim.student, claim.sheet), []).append(claim)
+    return found
+
+
+def _newest(claims: Sequence[Claim], taken: Taken) -> Claim:
+    """The one that counts; the others are named."""
+    newest = max(claims, key=_age)
+    for other in claims:
+        if other is not newest:
+            taken.notes.append(
+                f"{other.upload.place}: {newest.upload.place} of the same student is newer, "
+                "or goes before it; not taken"
+            )
+    return newest
+
+
+def _age(claim: Claim) -> tuple[datetime, datetime, int, str]:
+    """When it came in, else when it was changed; then what marking looks for first."""
+    upload = claim.upload
+    received = upload.received or datetime.min.replace(tzinfo=UTC)
+    modified = upload.file.modified or datetime.min  # noqa: DTZ901 - only compared with its like
+    return received, modified, -list(READERS).index(upload.suffix), upload.place
+
+
+class _Taker:
+    """Puts files into submitted/ and keeps the times in step with them."""
+
+    def __init__(self, course: Course) -> None:
+        self._course = course
+        self.taken = Taken()
+        self.receipts: dict[tuple[str, str], Receipt] = {}
+        for one in read_receipts(course.folder):
+            self.receipts[one.student, one.file] = one
+
+    def take(self, claim: Claim) -> None:
+        """The file in submitted/<student>/, with those beside it; what was there is set aside.
+
+        Raises:
+            RefusedError: it cannot be read, or its time is not known and that of the file there is.
+        """
+        folder = self._course.folder / "submitted" / claim.student
+        path = folder / f"{claim.sheet}{claim.upload.suffix}"
+        data = claim.upload.file.read()
+        same = _holds(path, data)
+        if not self._is_newer(claim, same=same):
+            return
+        if same:
+            self.taken.unchanged += 1
+        else:
+            for suffix in READERS:
+                self._set_aside(claim.student, folder / f"{claim.sheet}{suffix}")
+            write_atomically(path, data)
+            self.taken.paths.append(path)
+        if claim.upload.received is not None:
+            receipt = Receipt(claim.student, claim.sheet, path.name, claim.upload.received)
+            self.receipts[claim.student, path.name] = receipt
+        self._take_beside(folder, claim)
+
+    def _is_newer(self, claim: Claim, *, same: bool) -> bool:
+        """Whether a file goes before what is there; an older one is named."""
+        upload = claim.upload
+        times: list[datetime] = []
+        for suffix in READERS:
+            receipt = self.receipts.get((claim.student, f"{claim.sheet}{suffix}"))
+            if receipt is not None:
+                times.append(receipt.received)
+        if not times or (upload.received is None and same):
+            return True
+        there = f"what {claim.student} has in submitted/ ({max(times).isoformat()})"
+        if upload.received is None:
+            raise RefusedError(
+                f"{upload.place}: it came without a time, and {there} has one; it is not taken"
+            )
+        if upload.received < max(times):
+            self.taken.notes.append(f"{upload.place}: older than {there}; not taken")
+            return False
+        return True
+
+    def _set_aside(self, student: str, path: Path) -> None:
+        """Moves a file that would be marked in place of the new one; nothing is lost."""
+        if not path.exists() and not path.is_symlink():
+            return
+        kept = path.parent / REPLACED
+        kept.mkdir(exist_ok=True)
+        number = 1
+        while (kept / f"{number}-{path.name}").exists():
+            number += 1
+        name = f"{number}-{path.name}"
+        path.rename(kept / name)
+        receipt = self.receipts.pop((student, path.name), None)
+        if receipt is not None:
+            inside = f"{REPLACED}/{name}"
+            self.receipts[student, inside] = replace(receipt, file=inside)
+
+    def _take_beside(self, folder: Path, claim: Claim) -> None:
+        """Data and modules that the notebook mentions, under their own names."""
+        left = MAX_BESIDE
+        for other in claim.beside:
+            if not self._may_be_called(other):
+                self.taken.notes.append(f"{other.place}: no file can be called so; not taken")
+                continue
+            data = other.file.read()
+            left -= len(data)
+            if left < 0:
+                said = f"{other.place}: more than a notebook may have beside it; not taken"
+                self.taken.notes.append(said)
+                return
+            if not _holds(folder / other.name, data):
+                self._set_aside(claim.student, folder / other.name)
+                write_atomically(folder / other.name, data)
+
+    def _may_be_called(self, other: Upload) -> bool:
+        """Whether a name is not that of a sheet's answer, and possible on every system."""
+        sheets = {sheet.name.casefold() for sheet in self._course.settings.sheet}
+        plain = other.name == printable(other.name) and not set(other.name) & set('/\\:*?"<>|')
+        stem = PurePath(other.name).stem.casefold()
+        return plain and not DEVICE.fullmatch(other.name) and stem not in sheets
+
+
+def _holds(path: Path, data: bytes) -> bool:
+    return path.is_file() and not path.is_symlink() and path.read_bytes() == data
