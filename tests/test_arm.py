@@ -17,9 +17,10 @@ from kinegrade.exercises.drawing import Dimension, Drawing, Point, Triad
 from kinegrade.grader.figures.arm import compose, draw
 from kinegrade.grader.figures.depth import Array, by_depth, outside, tube_planes
 from kinegrade.grader.figures.labels import SIZE, SUB, symbol_of, text_width
-from kinegrade.grader.figures.pose import camera, pose
+from kinegrade.grader.figures.pose import pose
 from kinegrade.grader.figures.raster import data_uri, png
 from kinegrade.grader.figures.scene import Scene, text_xml
+from kinegrade.grader.figures.view import camera
 from kinegrade.solutions.chain import Chain, elementary, from_frames, from_standard
 from kinegrade.solutions.errors import KinegradeError
 from kinegrade.solutions.kinematics import forward

@@ -33,7 +33,7 @@ def compose(drawing: Drawing, width: float) -> Scene:
     for joint in arm.joints:
         draw_axis(scene, joint, bodies)
     for joint in arm.joints:
-        draw_sense(scene, joint, arrows=drawing.arrows)
+        draw_sense(scene, arm, joint, arrows=drawing.arrows)
     for triad in drawing.triads:
         draw_triad(scene, arm, triad, tips)
     for dimension in drawing.dimensions:
