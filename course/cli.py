@@ -18,6 +18,7 @@ from .console import progress, say
 from .gradebook_command import book
 from .marks_command import marks
 from .options import CourseOption, GradebookOption, JsonOption, SheetArguments, opened
+from .plot_command import plot
 
 if TYPE_CHECKING:
     from .grading import Result
@@ -31,6 +32,7 @@ app = typer.Typer(
 )
 app.add_typer(marks, name="marks")
 app.add_typer(book, name="gradebook")
+app.command()(plot)
 STOPPED = 130  # what typer makes of Ctrl-C
 
 
@@ -285,22 +287,3 @@ def preview(
     print(path)
     if show and sys.stdout.isatty():
         typer.launch(str(path))
-
-
-@app.command()
-def plot(
-    robot: Annotated[str, typer.Argument(help="A robot of the catalogue, such as puma560.")],
-    output: Annotated[
-        Path | None, typer.Option("--output", "-o", help="A .png, .svg or .pdf file.")
-    ] = None,
-) -> None:
-    """Draw workspace and singularities of a robot."""
-    from ..grader.figures.maps import describe, picture
-    from ..solutions.robots import robot as find_robot
-    from .files import write_atomically
-
-    arm = find_robot(robot)
-    path = output or Path(f"{robot}.png")
-    write_atomically(path, picture(arm, path.suffix))
-    print(path)
-    say(describe(arm))

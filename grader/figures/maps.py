@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ...solutions.expression import latex_name
 from ...solutions.reach import bounded_reach
 from ...solutions.singularity import (
     Parameters,
@@ -18,11 +17,13 @@ from ...solutions.singularity import (
     zero_set,
 )
 from ...solutions.workspace import Section
+from .amounts import typeset_amounts
 from .description import description
 from .determinant_formula import determinant_formula
+from .formats import FigureError, suffix_of
 from .joint_map import JointMap
 from .panels import singular_panels, spatial_panels, workspace_panel
-from .plain_style import FigureError, blank, plain_style, settled, suffix_of, written
+from .plain_style import blank, plain_style, settled, written
 from .planar_panels import planar_panels, planar_singular_panels, ring_panel
 from .section_cells import section_of
 
@@ -67,20 +68,19 @@ def figure(robot: "Robot", parameters: Parameters = None, kind: str = "") -> "Fi
         drawn = blank(width, height)
 
         draw_panels(drawn, found, cut, determinant_formula(robot, found, parameters))
-        lengths = [f"${latex_name(name)}={value:.5g}$" for name, value in values.items()]
-        drawn.suptitle(_title(robot.title, lengths, width), fontsize=13)
+        drawn.suptitle(_title(robot.title, typeset_amounts(values), width), fontsize=13)
         return settled(drawn)
 
 
-def _title(title: str, lengths: list[str], width: float) -> str:
+def _title(title: str, amounts: list[str], width: float) -> str:
     """The title with the lengths, which are on lines of their own where the figure is narrow."""
     if width >= WIDE:
-        return f"{title}  ({',  '.join(lengths)} m)"
+        return f"{title}  ({',  '.join(amounts)})"
     fitting = int(width / LENGTH)
-    starts = range(0, len(lengths), fitting)
-    rows = [",  ".join(lengths[start : start + fitting]) for start in starts]
+    starts = range(0, len(amounts), fitting)
+    rows = [",  ".join(amounts[start : start + fitting]) for start in starts]
     listed = ",\n".join(rows)
-    return f"{title}\n({listed} m)"
+    return f"{title}\n({listed})"
 
 
 def picture(robot: "Robot", suffix: str, parameters: Parameters = None, kind: str = "") -> bytes:

@@ -10,8 +10,6 @@ import matplotlib as mpl
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from ...solutions.errors import KinegradeError
-
 STYLE: Any = {
     "font.family": "STIXGeneral",
     "mathtext.fontset": "stix",
@@ -25,10 +23,6 @@ STYLE: Any = {
 }
 # What would differ between two writings of the same figure, by suffix.
 UNDATED = {".png": {"Software": None}, ".svg": {"Date": None}, ".pdf": {"CreationDate": None}}
-
-
-class FigureError(KinegradeError):
-    """A figure that cannot be drawn."""
 
 
 @contextmanager
@@ -52,18 +46,6 @@ def settled(drawn: Figure) -> Figure:
     drawn.draw_without_rendering()
     drawn.set_layout_engine("none")
     return drawn
-
-
-def suffix_of(name: str) -> str:
-    """The suffix of a format that figures have.
-
-    Raises:
-        FigureError: it is another one.
-    """
-    kind = name.lower()
-    if kind not in UNDATED:
-        raise FigureError(f"A figure takes a name in .png, .svg or .pdf, got one in {name!r}.")
-    return kind
 
 
 def written(drawn: Figure, suffix: str) -> bytes:

@@ -85,8 +85,10 @@ def _draw_postures(ax: "Axes", found: JointMap) -> None:
         ax.add_patch(Circle((0, 0), edge, fill=False, ec="#777777", ls=(0, (5, 3)), lw=0.9))
     for bend, bearing in POSTURES:
         q = np.array([0.0, stretched + bend])
-        tool = frames(found.part.chain, q)[-1, :2, 3]
-        q[0] = bearing - np.arctan2(tool[1], tool[0])
+        poses = frames(found.part.chain, q)
+        x, y = poses[-1, :2, 3]
+        sense = np.sign(poses[0, 2, 2])  # about an axis that points down, a turn goes the other way
+        q[0] = sense * (bearing - np.arctan2(y, x))
         corner = far * np.array([0.86, 1.22]) * np.sign([np.cos(bearing), np.sin(bearing)])
         _draw_posture(ax, found, q, corner)
 

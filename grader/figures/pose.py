@@ -84,8 +84,10 @@ class DrawnArm:
         return 1.4 * self.radius
 
 
-def pose(drawing: Drawing, width: float) -> DrawnArm:
+def pose(drawing: Drawing, width: float, around: float = 0.0) -> DrawnArm:
     """The arm of `drawing` in camera coordinates, as large as a picture `width` pixels wide allows.
+
+    There is room for `around` pixels to every side of the tool point.
 
     Raises:
         KinegradeError: `drawing.q` does not fit `drawing.chain`.
@@ -98,7 +100,7 @@ def pose(drawing: Drawing, width: float) -> DrawnArm:
     elbows = origins[:-1] + ahead * along
 
     turn = looked_at(drawing)
-    view = fitted(drawing, np.vstack([origins, elbows]), turn, width)
+    view = fitted(drawing, np.vstack([origins, elbows]), turn, width, around)
     corners = np.stack([origins[:-1], elbows, origins[1:]], axis=1)
     paths = [view.points(points) for points in corners]
 

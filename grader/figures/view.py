@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...exercises.drawing import Drawing
+from ...solutions.kinematics import forward
 from .plane import view_of
 from .vectors import Array, cross, norm
 
@@ -55,12 +56,16 @@ def camera(azimuth: float, elevation: float) -> Array:
     return np.stack([right, -cross(towards, right), towards])
 
 
-def fitted(drawing: Drawing, points: Array, turn: Array, width: float) -> View:
+def fitted(drawing: Drawing, points: Array, turn: Array, width: float, around: float = 0.0) -> View:
     """The view in which an arm through `points` (k, 3) fills the picture, with what is round it.
 
-    `turn` (3, 3) is the rotation to camera coordinates, `width` that of the picture [px].
+    `turn` (3, 3) is the rotation to camera coordinates, `width` that of the picture [px], and
+    `around` the room to every side of the tool [px].
     """
     spots = _spots(drawing, points, turn)
+    tool = forward(drawing.chain, np.asarray(drawing.q, dtype=np.float64))[:3, 3]
+    reach = around * USUAL_WIDTH / width
+    spots.append(_Spot(tool, np.full(3, -reach), np.full(3, reach)))
     size = width / USUAL_WIDTH
     at = np.array([turn @ spot.place for spot in spots])
     low = np.array([spot.low for spot in spots]) * size
