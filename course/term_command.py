@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from .config import Course
     from .term.differences import Move
 
+term = typer.Typer(help="What a term brings.", no_args_is_help=True)
 SheetArgument = Annotated[str, typer.Argument(help="The name of a sheet.")]
 StudentArgument = Annotated[str, typer.Argument(help="An id of roster.csv.")]
 WhyOption = Annotated[str, typer.Option("--reason", help="Why, for the gradebook.")]
@@ -25,16 +26,7 @@ DryRunOption = Annotated[
 ]
 
 
-def add_to(app: typer.Typer) -> None:
-    """Adds the commands to `kinegrade`."""
-    app.command()(accept)
-    app.command()(regrade)
-    app.command()(publish)
-    app.command()(extend)
-    app.command()(excuse)
-    app.command()(oral)
-
-
+@term.command()
 def accept(
     sheet: SheetArgument,
     part: Annotated[str, typer.Argument(help="The variable of the part.")],
@@ -85,6 +77,7 @@ def accept(
         say("Accepted. `kinegrade report` writes the pages with it.")
 
 
+@term.command()
 def regrade(
     sheets: SheetArguments = None,
     dry_run: DryRunOption = False,
@@ -113,6 +106,7 @@ def regrade(
             say(f"Report: {write_recorded(course, gradebook)}")
 
 
+@term.command()
 def publish(
     sheets: Annotated[list[str], typer.Argument(help="Names of sheets.")],
     reason: WhyOption = "",
@@ -144,6 +138,7 @@ def publish(
             say(f"What students get: {course.folder / 'feedback'}/<student>/<sheet>.html")
 
 
+@term.command()
 def extend(
     student: StudentArgument,
     sheet: SheetArgument,
@@ -178,6 +173,7 @@ def extend(
             say(f"{student} has until {time_text(given.until)} for sheet {sheet}.")
 
 
+@term.command()
 def excuse(
     student: StudentArgument,
     sheet: SheetArgument,
@@ -200,6 +196,7 @@ def excuse(
         say(f"Sheet {sheet} {counts} for {student}. `kinegrade report` writes the pages with it.")
 
 
+@term.command()
 def oral(
     sheet: SheetArgument,
     folder: CourseOption = Path(),
