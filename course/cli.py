@@ -36,7 +36,6 @@ app.add_typer(marks, name="marks")
 app.add_typer(book, name="gradebook")
 app.add_typer(term)
 app.add_typer(exchange)
-app.command()(plot)
 STOPPED = 130  # what typer makes of Ctrl-C
 
 
@@ -291,3 +290,6 @@ def preview(
     print(path)
     if show and sys.stdout.isatty():
         typer.launch(str(path))
+
+
+app.command()(plot)
