@@ -10,7 +10,7 @@ import pytest
 from answers import EXERCISES, part_of, raws, raws_of, telling, variant_of, wrong
 from courses import lever, make_course, sheet
 from kinegrade.course.config import Student, read_course
-from kinegrade.course.feedback import write_feedback
+from kinegrade.course.feedback import LOST, write_feedback
 from kinegrade.course.gradebook import Mark
 from kinegrade.course.grading import Result
 from kinegrade.course.marks import answer_id, with_marks
@@ -221,7 +221,9 @@ def test_an_exercise_that_fails_since_costs_its_pictures_and_no_page(course, cap
     text = path.read_text(encoding="utf-8")
     assert len(sections(text)) == len(exercise.asked)
     assert "<svg" not in text
-    assert "a question is left out of the feedback" in caplog.text
+    assert text.count(LOST) == 2  # once for the map, once for what was compared
+    assert "This figure could not be drawn" in text
+    assert "the figures of three_axis are left out of a sheet" in caplog.text
 
 
 def test_the_solution_is_part_of_it_where_the_sheet_shows_it(course, exercise):
