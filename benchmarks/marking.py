@@ -69,8 +69,8 @@ def contenders(places: dict[str, Path | None]) -> list[Marker]:
     five = markers.ours((markers.SLUG,), markers.five_matrices)
     three = markers.ours(markers.THREE, markers.usual)
     found = [
-        Marker(OURS, (10, 60), five, markers.full_marks_of_ours),
-        Marker(SHEET, (6, 36), three),
+        Marker(OURS, (20, 80), five, markers.full_marks_of_ours),
+        Marker(SHEET, (24, 72), three),
     ]
     here = places.get("nbgrader")
     if here:
