@@ -54,18 +54,24 @@ def submitted(folder):
 @pytest.mark.parametrize(
     "place",
     [
-        f"{ADA}/one.ipynb",
-        f"{ADA}_/one.ipynb",
-        f"{ADA}_one.ipynb",
-        f"Group A-{ADA}/one.ipynb",
-        f"Lab-2-{ADA}/Week 1/one.ipynb",
-        "LOVELACE Ada_9001_assignsubmission_file/one (1).ipynb",
-        f"{ADA}/anything.ipynb",
+        f"{ADA}/one.json",
+        f"{ADA}_/one.json",
+        f"{ADA}_one.json",
+        f"Group A-{ADA}/one.json",
+        f"Lab-2-{ADA}/Week 1/one.json",
+        "LOVELACE Ada_9001_assignsubmission_file/ONE (1).json",
+        "Lovelace, Adà_9001_assignsubmission_file/one-final.json",
     ],
 )
 def test_a_folder_of_moodle_is_that_of_its_student(collect, folder, place):
-    ran = collect({place: sheet_of("ada")})
-    assert (ran.code, ran.out) == (0, f"{folder / 'submitted' / 'ada' / 'one.ipynb'}\n")
+    ran = collect({place: b"{}"})
+    assert (ran.code, ran.out) == (0, f"{folder / 'submitted' / 'ada' / 'one.json'}\n")
+    assert submitted(folder) == {"ada/one.json": b"{}"}
+
+
+@pytest.mark.parametrize("name", ["anything.ipynb", "two.ipynb", "one.txt.ipynb"])
+def test_a_notebook_is_that_of_the_sheet_inside_whatever_it_is_called(collect, folder, name):
+    assert collect({f"{ADA}/{name}": sheet_of("ada")}).code == 0
     assert submitted(folder) == {"ada/one.ipynb": sheet_of("ada")}
 
 
@@ -150,8 +156,23 @@ def test_two_people_with_the_sheet_of_one_get_neither_taken(collect, folder):
 def test_somebody_whom_the_worksheet_names_is_not_taken_for_another(collect, folder):
     """A stranger to the roster hands in a sheet of the roster."""
     worksheet = MOODLE.replace('"Ada Lovelace",ada,ada@example.org', '"Zoe",zoe,zoe@example.org')
-    ran = collect({f"{ADA}/one.ipynb": sheet_of("ben")}, worksheet=worksheet)
+    files = {"Zoe_9001_assignsubmission_file/one.ipynb": sheet_of("ben")}
+    ran = collect(files, worksheet=worksheet)
+    assert (ran.code, "nobody of roster.csv; it is not taken" in ran.err) == (1, True)
+
+
+def test_the_worksheet_of_another_assignment_is_noticed(collect, folder):
+    """Its numbers are those of other people."""
+    other = MOODLE.replace("9001", "x").replace("9002", "9001").replace("x", "9002")
+    ran = collect({f"{ADA}/one.json": b"{}"}, worksheet=other)
     assert ran.code == 1
+    assert "is that of ben, and its name that of ada; the table may be that of another" in ran.err
+
+
+def test_ids_of_several_people_are_nobodys(collect, folder):
+    ran = collect({f"{ADA}/one.json": b"{}"}, worksheet=MOODLE.replace("ada@", "ben@"))
+    assert ran.code == 1
+    assert "several people: ada is ada, ben@example.org is ben; it is not taken" in ran.err
 
 
 def test_of_two_files_the_newest_counts_and_the_other_is_named(collect, folder):

@@ -7,6 +7,7 @@ import re
 import subprocess
 import sys
 import zipfile
+from dataclasses import replace
 from shutil import copytree
 
 import pytest
@@ -16,11 +17,11 @@ from kinegrade.course.exchange import handed_back
 from kinegrade.course.exchange.worksheet import read_worksheet
 from kinegrade.course.gradebook import Gradebook, GradeKey
 from kinegrade.course.marking import mark_sheets
-from kinegrade.grader.marking.verdict import not_graded
+from kinegrade.grader.marking.verdict import Finding, not_graded
 
 ROSTER = """student,name,E-mail
 ada,Ada Lovelace,ada@example.org
-ben,Ben Bot,ben@example.org
+ben,Ben Bot,Ben@Example.org
 cyd,Cyd the third,cyd@example.org
 """
 
@@ -280,6 +281,18 @@ def test_who_waits_for_a_mark_is_not_in_the_zip_for_gradescope(handback, folder,
 def test_a_way_that_cannot_be_gone_is_one_sentence(handback, system, words):
     ran = handback(system)
     assert (ran.code, words in ran.err) == (1, True)
+
+
+def test_what_is_for_the_instructor_goes_nowhere(handback, folder):
+    with Gradebook(folder / "gradebook.sqlite") as gradebook:
+        first, second = gradebook.current("one")["ada"]
+        findings = (Finding("For the instructor.", private=True), Finding("For ada."))
+        told = [replace(first, findings=findings), second]
+        gradebook.save_grade(GradeKey("ada", "one", "file", "rules"), told)
+    handback("csv")
+    text = (folder / "exchange" / "one.csv").read_text()
+    assert "For ada." in text
+    assert "For the instructor." not in text
 
 
 def test_a_blind_worksheet_of_nobody_is_refused(handback):
