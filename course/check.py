@@ -20,7 +20,8 @@ from ..grader.marking.own_work import Remark, readable, remarks
 from ..grader.marking.verdict import STATUS_WORDS, Verdict
 from ..grader.reading.unreadable import entries_named
 from ..solutions.errors import KinegradeError
-from .config import CourseError, LimitsTable, Mode, PackagesTable
+from .adjusting import adjusted_here
+from .config import CourseError, LimitsTable, Mode, PackagesTable, Sheet
 from .drawn import drawn
 from .escape import printable
 from .sheet.notebook import KEY
@@ -52,6 +53,7 @@ class Handout:
     numbers: Mapping[str, dict[str, Any]]
     limits: Limits = field(default_factory=Limits)
     packages: tuple[str, ...] = ()
+    adjustments: Mapping[str, Any] = field(default_factory=dict[str, Any])
 
 
 def check_file(
@@ -72,6 +74,7 @@ def check_file(
     installed, missing = _installed(handout, folders)
     if not installed:
         raise CourseError(f"{sheet or path}: {_none_installed(handout, folders)}")
+    installed = adjusted_here(installed, handout.adjustments)
 
     numbers: dict[str, dict[str, Any]] = {}
     for exercise in installed:
@@ -221,8 +224,16 @@ def _handout(about: Any) -> Handout:
         raise ValueError(mode)
     limits = LimitsTable.model_validate(about.get("limits", {}))
     packages = PackagesTable.model_validate(about.get("packages", {}))
+    adjustments = Sheet.model_validate(
+        {"name": "sheet", "exercises": tuple(numbers), **about.get("adjusted", {})}
+    ).adjustments()
     return Handout(
-        str(about["sheet"]), mode, numbers, Limits(**limits.model_dump()), packages.allow
+        str(about["sheet"]),
+        mode,
+        numbers,
+        Limits(**limits.model_dump()),
+        packages.allow,
+        adjustments,
     )
 
 

@@ -19,6 +19,8 @@ from .exchange_command import exchange
 from .gradebook_command import book
 from .marks_command import marks
 from .options import CourseOption, GradebookOption, JsonOption, SheetArguments, opened
+from .plot_command import plot
+from .term_command import term
 
 if TYPE_CHECKING:
     from .grading import Result
@@ -32,6 +34,7 @@ app = typer.Typer(
 )
 app.add_typer(marks, name="marks")
 app.add_typer(book, name="gradebook")
+app.add_typer(term)
 app.add_typer(exchange)
 STOPPED = 130  # what typer makes of Ctrl-C
 
@@ -289,20 +292,4 @@ def preview(
         typer.launch(str(path))
 
 
-@app.command()
-def plot(
-    robot: Annotated[str, typer.Argument(help="A robot of the catalogue, such as puma560.")],
-    output: Annotated[
-        Path | None, typer.Option("--output", "-o", help="A .png, .svg or .pdf file.")
-    ] = None,
-) -> None:
-    """Draw workspace and singularities of a robot."""
-    from ..grader.figures.maps import describe, picture
-    from ..solutions.robots import robot as find_robot
-    from .files import write_atomically
-
-    arm = find_robot(robot)
-    path = output or Path(f"{robot}.png")
-    write_atomically(path, picture(arm, path.suffix))
-    print(path)
-    say(describe(arm))
+app.command()(plot)

@@ -2,22 +2,43 @@
 
 import re
 import tomllib
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import TYPE_CHECKING, Any
+from zoneinfo import ZoneInfo
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import BaseModel, ValidationError
 
-from ..solutions.errors import did_you_mean
 from .errors import CourseError
-from .roster import DEVICE, SAFE_NAME, Student, read_roster
+from .roster import DEVICE, Student, read_roster
+from .settings import (
+    ExerciseTable,
+    Format,
+    GradebookTable,
+    LimitsTable,
+    MarkingTable,
+    Mode,
+    PackagesTable,
+    PartTable,
+    Settings,
+    Sheet,
+)
+from .spelling import hint
 from .text_file import text_of
+
+if TYPE_CHECKING:
+    from datetime import datetime
 
 __all__ = [
     "Course",
     "CourseError",
+    "Format",
+    "LimitsTable",
+    "MarkingTable",
     "Mode",
+    "PackagesTable",
     "Settings",
     "Sheet",
     "Student",
@@ -27,81 +48,11 @@ __all__ = [
     "read_settings",
 ]
 
-Mode = Literal["practice", "graded", "exam"]
-Format = Literal["ipynb", "pdf"]
-"""What a sheet and its worked solution are written as."""
 SCRIPT_NAME = re.compile(r"[A-Za-z]\w{0,62}", re.ASCII)
 MATLAB_WORD = re.compile(
     "break|case|catch|classdef|continue|else|elseif|end|for|function|global|if|"
     "otherwise|parfor|persistent|return|spmd|switch|try|while"
 )
-Name = Annotated[str, Field(pattern=rf"^{SAFE_NAME.pattern}$")]
-Title = Annotated[str, Field(max_length=300)]
-Share = Annotated[float, Field(strict=True, ge=0, le=1)]
-
-
-class _Strict(BaseModel):
-    model_config = ConfigDict(extra="forbid", frozen=True)
-
-
-class Sheet(_Strict):
-    """One hand-out: its exercises in order, and what a check may tell before the deadline.
-
-    With `matlab`, students get a script to start from beside the notebook. With `show_solutions`,
-    which is for after the deadline, the feedback holds the worked solution. `pinned` holds, by
-    exercise, the choices of form that all students shall have alike, so that points mean the same
-    for everybody.
-    """
-
-    name: Name
-    title: Title = ""
-    mode: Mode = "graded"
-    matlab: bool = False
-    show_solutions: bool = False
-    exercises: Annotated[tuple[str, ...], Field(min_length=1, max_length=100)]
-    pinned: Mapping[str, Mapping[str, Any]] = {}
-
-
-class LimitsTable(_Strict):
-    """What one notebook may use while it is marked."""
-
-    cell_seconds: Annotated[float, Field(strict=True, gt=0, le=600)] = 30.0
-    notebook_seconds: Annotated[float, Field(strict=True, gt=0, le=3600)] = 180.0
-    memory_mb: Annotated[int, Field(strict=True, ge=256, le=65_536)] = 2048
-
-
-class PackagesTable(_Strict):
-    """Packages that notebooks may import besides numpy, sympy, matplotlib, scipy and IPython."""
-
-    allow: tuple[Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]*$")], ...] = ()
-
-
-class MarkingTable(_Strict):
-    """What a mistake that has a name costs of its part: once, whatever the number of entries."""
-
-    slip: Share = 0.25
-    presentation: Share = 0.25
-    concept: Share = 0.5
-
-
-class GradebookTable(_Strict):
-    """Where the gradebook lies, unless it is the file in the course folder."""
-
-    url: Annotated[str, Field(pattern="^postgresql://")] | None = None
-
-
-class Settings(_Strict):
-    """All of course.toml."""
-
-    title: Title
-    # Of older courses; the secret has a file of its own.
-    secret: Annotated[str, Field(min_length=16, max_length=1000)] | None = None
-    sheet: Annotated[tuple[Sheet, ...], Field(min_length=1, max_length=200)]
-    formats: Annotated[tuple[Format, ...], Field(min_length=1, max_length=2)] = ("ipynb",)
-    limits: LimitsTable = LimitsTable()
-    marking: MarkingTable = MarkingTable()
-    gradebook: GradebookTable = GradebookTable()
-    packages: PackagesTable = PackagesTable()
 
 
 @dataclass(frozen=True)
@@ -154,6 +105,7 @@ def read_settings(path: Path) -> Settings:
     except ValidationError as error:
         raise CourseError(f"{path}: {_sentence(_telling(error))}") from error
 
+    settings = _in_zone(settings)
     names = [sheet.name.casefold() for sheet in settings.sheet]
     for sheet in settings.sheet:
         if names.count(sheet.name.casefold()) > 1:
@@ -161,7 +113,50 @@ def read_settings(path: Path) -> Settings:
                 f"{path}: two sheets are called {sheet.name!r}; a sheet takes a name of its own"
             )
         _refuse_as_file_name(path, sheet)
+        _refuse_resit(path, sheet, settings)
+        _refuse_times(path, sheet)
     return settings
+
+
+def _in_zone(settings: Settings) -> Settings:
+    """Times of sheets that name no zone are those of the course."""
+    zone = ZoneInfo(settings.timezone)
+    sheets: list[Sheet] = []
+    for sheet in settings.sheet:
+        times = _times(sheet)
+        for name, time in times.items():
+            if time.tzinfo is None:
+                times[name] = time.replace(tzinfo=zone)
+        sheets.append(sheet.model_copy(update=times))
+    return settings.model_copy(update={"sheet": tuple(sheets)})
+
+
+def _times(sheet: Sheet) -> "dict[str, datetime]":
+    """The times that a sheet has, by key, in the order in which they should come."""
+    times = {"release": sheet.release, "deadline": sheet.deadline, "closes": sheet.closes}
+    return {name: time for name, time in times.items() if time is not None}
+
+
+def _refuse_times(path: Path, sheet: Sheet) -> None:
+    """Refuses times that cannot be meant."""
+    times = _times(sheet)
+    for earlier, later in pairwise(times):
+        if times[earlier] > times[later]:
+            raise CourseError(f"{path}: {later} of sheet {sheet.name!r} is before its {earlier}")
+    if sheet.late_percent and sheet.deadline is None:
+        raise CourseError(f"{path}: late_percent of sheet {sheet.name!r} takes a deadline, too")
+
+
+def _refuse_resit(path: Path, sheet: Sheet, settings: Settings) -> None:
+    """Refuses a second try of a sheet that is none, or is one itself."""
+    if not sheet.resit_of:
+        return
+    firsts = [other.name for other in settings.sheet if not other.resit_of]
+    if sheet.resit_of not in firsts:
+        raise CourseError(
+            f"{path}: sheet {sheet.name!r} is a resit of {sheet.resit_of!r}"
+            f"{hint(sheet.resit_of, firsts)}; resit_of takes the name of a sheet that is no resit"
+        )
 
 
 def _refuse_as_file_name(path: Path, sheet: Sheet) -> None:
@@ -204,21 +199,22 @@ def _sentence(complaint: Any) -> str:
         return f"unknown key {where!r}{hint(str(key), keys)}; valid here: {', '.join(keys)}"
     if complaint["type"] == "missing":
         return f"the key {where!r} is missing"
+    if complaint["type"] == "value_error" and not isinstance(complaint["input"], str):
+        return str(complaint["ctx"]["error"])  # of a whole table, in our own words
     got = _shown(complaint["loc"], complaint["input"])
     bounds = _range(complaint["loc"])
     if bounds:
         return f"{where} takes {bounds}, got {got}"
-    message = complaint["msg"]
+    message = complaint["msg"].removeprefix("Value error, ")
     return f"{where}: {message[:1].lower()}{message[1:]}, got {got}"
 
 
 def _range(where: Sequence[Any]) -> str:
     """The numbers that a key of course.toml may have, in words; empty where it has text."""
-    if len(where) != 2:
+    *tables, key = where
+    if not tables:
         return ""
-    table, key = where
-    model = _table(table)
-    field = model.model_fields.get(str(key))
+    field = _table(_table_name(tables)).model_fields.get(str(key))
     if field is None:
         return ""
     numbers: dict[str, float] = {}
@@ -228,7 +224,7 @@ def _range(where: Sequence[Any]) -> str:
                 numbers[name] = getattr(bound, name)
     if "le" not in numbers:
         return ""
-    kind = "a whole number" if field.annotation is int else "a number"
+    kind = "a whole number" if "int" in str(field.annotation) else "a number"
     if "gt" in numbers:
         return f"{kind} above {numbers['gt']:g} and up to {numbers['le']:g}"
     return f"{kind} from {numbers['ge']:g} to {numbers['le']:g}"
@@ -245,22 +241,24 @@ def _valid_keys(tables: Sequence[Any]) -> list[str]:
     """The keys of a table of course.toml; the outermost has no name."""
     if not tables:
         return list(Settings.model_fields)
-    return list(_table(tables[0]).model_fields)
+    return list(_table(_table_name(tables)).model_fields)
+
+
+def _table_name(tables: Sequence[Any]) -> str:
+    """As "sheet.part", of the keys and numbers that lead to a table."""
+    names = [str(step) for step in tables if not isinstance(step, int)]
+    return ".".join(names[:2])
 
 
 def _table(name: Any) -> type[BaseModel]:
     """The table of that name; the outermost for every other name."""
     known: dict[str, type[BaseModel]] = {
         "sheet": Sheet,
+        "sheet.exercise": ExerciseTable,
+        "sheet.part": PartTable,
         "limits": LimitsTable,
         "marking": MarkingTable,
         "gradebook": GradebookTable,
         "packages": PackagesTable,
     }
     return known.get(str(name), Settings)
-
-
-def hint(name: str, known: Iterable[str]) -> str:
-    """The question for the nearest valid name in brackets, or nothing."""
-    question = did_you_mean(name, known)
-    return f" ({question})" if question else ""

@@ -14,7 +14,7 @@ from .files import write_atomically
 from .gradebook import Gradebook, gradebook_of
 from .habits import HABITS, Answers, Code, Habit, Spoil
 from .marking import level_line, mark_sheets, marked_sheets, show
-from .marks import by_hand, enter
+from .marks import by_hand
 from .secret import FILE
 from .sheets import exercises_of, generate
 
@@ -149,8 +149,7 @@ def mark_by_hand(course: Course, gradebook: Gradebook) -> None:
     for one in waiting:
         if one.student == last:
             continue
-        part = one.part
-        enter(waiting, gradebook, one.student, part.variable, part.points, COMMENT, one.sheet)
+        gradebook.save_marks([one.new_mark(one.part.points, COMMENT)])
 
 
 def fill_in(notebook: bytes, answers: Mapping[str, str]) -> bytes:

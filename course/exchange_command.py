@@ -24,7 +24,7 @@ ZoneOption = Annotated[
     typer.Option(
         "--zone",
         help="The time zone of times that name none, such as Europe/Berlin; "
-        "else that of this machine.",
+        "else that of course.toml or of this machine.",
     ),
 ]
 WorksheetOption = Annotated[
@@ -55,7 +55,10 @@ def collect(
     from .exchange.collection import collect as take_in
     from .exchange.moments import zone_named
 
-    taken = take_in(read_course(folder), download, system, worksheet, sheet, zone_named(zone))
+    course = read_course(folder)
+    if not zone and "timezone" in course.settings.model_fields_set:
+        zone = course.settings.timezone
+    taken = take_in(course, download, system, worksheet, sheet, zone_named(zone))
     for path in taken.paths:
         print(path)  # noqa: T201 - data of the command
     for sentence in (*taken.conflicts, *taken.notes):

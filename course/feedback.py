@@ -14,17 +14,18 @@ from .config import Course, MarkingTable, Sheet
 from .entries import Cell, entry_tables
 from .escape import printable
 from .explained import explained
-from .formulas import page_text
 from .gradebook import Gradebook
 from .grades import SheetResults
 from .grading import Result
 from .markdown import markdown_html
 from .own_sheet import own_questions
-from .pages import template, write_page
+from .pages import template, with_formulas, write_page
 from .position import position
+from .requests import how_to_ask
 from .sentences import sentence
 from .sheet.worked import worked_steps
 from .tables import MARKS, result_text
+from .times import late_text, rules_text
 from .variant import Record
 from .words import points_text, share_text
 
@@ -106,6 +107,9 @@ def write_feedback(
         student=student,
         points=result_text(result),
         waiting=result.status == "not_graded",
+        notes=_notes(sheet, result),
+        asking=how_to_ask(sheet.name),
+        handing_in=rules_text(sheet),
         solved=sheet.show_solutions,
         blocks=blocks,
         rules=_rules(course.settings.marking),
@@ -114,6 +118,19 @@ def write_feedback(
     path = course.folder / "feedback" / student.id / f"{sheet.name}.html"
     write_page(path, html)
     return path
+
+
+def _notes(sheet: Sheet, result: Result) -> list[str]:
+    """What deadline, attempts and publication make of the points, a sentence each."""
+    notes = [late_text(result.late)]
+    if result.attempts.of > 1:
+        notes.insert(0, f"This is file {result.attempts.this} of {result.attempts.of}.")
+    if result.excused:
+        notes.insert(0, "You are excused from this sheet: it does not count for you.")
+    if result.passed_over:
+        names = ", ".join(result.passed_over)
+        notes.append(f"Also there, and not marked: {names}.")
+    return [note for note in notes if note]
 
 
 def _exercise_block(own: _Own) -> Block:
@@ -182,7 +199,7 @@ def feedback_block(part: Part, verdict: Verdict) -> Block:
 
     options: list[Markup] = []
     if isinstance(answer, Choice):
-        options = [_markup(option) for option in answer.options]
+        options = [with_formulas(option) for option in answer.options]
 
     text: Any = None
     rubric: list[tuple[str, str]] = []
@@ -192,7 +209,7 @@ def feedback_block(part: Part, verdict: Verdict) -> Block:
 
     return {
         "variable": part.variable,
-        "prompt": _markup(part.prompt),
+        "prompt": with_formulas(part.prompt),
         "status": verdict.status,
         "words": STATUS_WORDS[verdict.status],
         "mark": MARKS[verdict.status],
@@ -200,8 +217,8 @@ def feedback_block(part: Part, verdict: Verdict) -> Block:
         "out_of": f"{verdict.out_of:g}",
         "reading": verdict.reading,
         "sentence": sentence(part, verdict),
-        "findings": _findings(verdict),
-        "by_person": is_comment(part, verdict),
+        "findings": _findings(verdict, by_person=False),
+        "comments": _findings(verdict, by_person=True),
         "from_own": _is_from_own(verdict),
         "matrices": _matrices(part, verdict),
         "options": options,
@@ -210,26 +227,17 @@ def feedback_block(part: Part, verdict: Verdict) -> Block:
     }
 
 
-def is_comment(part: Part, verdict: Verdict) -> bool:
-    """Whether what is found was written by the person who marked."""
-    return isinstance(part.answer, Manual) and verdict.points is not None
-
-
 def _is_from_own(verdict: Verdict) -> bool:
     """Whether entries are marked right because they follow from own answers that are not."""
     said = any(finding.text.startswith(ENTRIES_FOLLOW) for finding in verdict.findings)
     return verdict.status == "follows" or said
 
 
-def _markup(line: str) -> Markup:
-    return Markup(page_text(line))  # noqa: S704 - page_text escapes
-
-
-def _findings(verdict: Verdict) -> list[dict[str, str]]:
+def _findings(verdict: Verdict, *, by_person: bool) -> list[dict[str, str]]:
     """What the student may read: a sentence each, and the typed lines with a caret below it."""
     shown: list[dict[str, str]] = []
     for finding in verdict.findings:
-        if finding.private:
+        if finding.private or finding.by_person != by_person:
             continue
         said, *typed = [printable(line) for line in finding.text.split("\n")]
         shown.append({"sentence": said, "typed": "\n".join(typed)})

@@ -14,12 +14,13 @@ from .ledger.address import address, without_password
 from .ledger.damage import DamagedError, Damages, loaded
 from .ledger.database import Database
 from .ledger.entries import Change, enter, user
-from .ledger.grades import GradeKey
+from .ledger.grades import Attempt, GradeKey
 from .ledger.history import Event, history
-from .ledger.marks import Mark
+from .ledger.marks import Differing, Mark
 from .ledger.opening import open_ledger
 from .ledger.tables import level as levels
 from .ledger.tables import record, reference
+from .ledger.term import TermLedger
 from .variant import Record, canonical, digest
 
 __all__ = ["Event", "GradeKey", "Gradebook", "Mark", "OvertakenError", "gradebook_of"]
@@ -71,6 +72,11 @@ class Gradebook:
         return self._database.place
 
     @property
+    def term(self) -> TermLedger:
+        """Deadlines of single students, what was accepted, requests and what was published."""
+        return TermLedger(self._database)
+
+    @property
     def database(self) -> Database:
         """The database itself."""
         return self._database
@@ -94,7 +100,7 @@ class Gradebook:
         if level == self.noted_level():
             return
         with self._database.writing() as connection:
-            number = enter(connection, Change(user(), ""))
+            number = enter(connection, Change())
             connection.execute(levels.insert().values(entry=number, level=level))
 
     def noted_level(self) -> str:
@@ -129,7 +135,7 @@ class Gradebook:
         """
         with self._database.writing() as connection:
             _refuse_the_overtaken(connection, records)
-            entry = enter(connection, Change(user(), reason))
+            entry = enter(connection, Change(reason=reason))
             for one in records:
                 row = {**_name(one), "attempt": one.attempt, "numbers": json.dumps(one.numbers)}
                 row |= {"digest": _digest(one), "entry": entry}
@@ -139,14 +145,14 @@ class Gradebook:
     def accept_answers(self, one: Record, answers: dict[str, Any], reason: str = "") -> None:
         """From now on these are a record's answers; the instructor accepted that they changed."""
         with self._database.writing() as connection:
-            _refer(connection, one, answers, enter(connection, Change(user(), reason)))
+            _refer(connection, one, answers, enter(connection, Change(reason=reason)))
 
     def see(self, keys: Sequence[GradeKey]) -> None:
         """Notes the submissions that were not seen before, with the time."""
         if not keys:
             return
         with self._database.writing() as connection:
-            grades.see(connection, keys, Change(user()))
+            grades.see(connection, keys, Change())
 
     def verdicts(self, key: GradeKey) -> list[Verdict] | None:
         """What this submission got by these rules.
@@ -162,7 +168,7 @@ class Gradebook:
     def save_grade(self, key: GradeKey, verdicts: Sequence[Verdict], reason: str = "") -> None:
         """The grade and that it is the one that counts, in one transaction."""
         with self._database.writing() as connection:
-            grades.save(connection, key, verdicts, Change(user(), reason))
+            grades.save(connection, key, verdicts, Change(reason=reason))
 
     def make_current(self, key: GradeKey) -> None:
         """An earlier grade counts again; where it already does, nothing is written."""
@@ -171,7 +177,7 @@ class Gradebook:
             if number is None or grades.counts(connection, key, number):
                 return
         with self._database.writing() as connection:
-            grades.let_count(connection, key, number, Change(user()))
+            grades.let_count(connection, key, number, Change())
 
     def current(self, sheet: str) -> dict[str, list[Verdict]]:
         """Student to verdicts: what counts now."""
@@ -187,8 +193,13 @@ class Gradebook:
                 found[student] = these
         return found
 
+    def attempts(self, sheet: str) -> dict[str, list[Attempt]]:
+        """All marked submissions of a sheet by student, the first seen first."""
+        with self._database.reading() as connection:
+            return grades.attempts(connection, sheet)
+
     def marks(self, sheet: str) -> dict[tuple[str, str], Mark]:
-        """Marks entered by hand, by student and part."""
+        """Marks and comments entered by hand, by student and part."""
         with self._database.reading() as connection:
             return marks.that_count(connection, sheet, self._damages)
 
@@ -196,6 +207,11 @@ class Gradebook:
         """Enters marks, all or none; of the same part, the last one counts."""
         with self._database.writing() as connection:
             marks.save(connection, given, Change(author or user(), reason))
+
+    def differing_marks(self, sheet: str) -> list[Differing]:
+        """Answers of a sheet to which several markers gave other points."""
+        with self._database.reading() as connection:
+            return marks.differing(connection, sheet)
 
     def history(self, student: str, sheet: str) -> list[Event]:
         """All that happened to a student's sheet, the oldest first."""

@@ -55,9 +55,9 @@ class Total:
     Attributes:
         student: Whose it is.
         points: Of all sheets; None while a part waits for its mark, or where nothing came in.
-        out_of: Points of all sheets for which anybody has marks.
+        out_of: Points of all sheets for which anybody has marks, without resits.
         missing: Names of those sheets that the student did not hand in.
-        status: graded, incomplete (a sheet is missing), not_graded or no_submission.
+        status: graded, incomplete (a sheet is missing), not_graded, no_submission or excused.
     """
 
     student: Student
@@ -75,32 +75,79 @@ class Total:
 
 
 def totals(sheets: Sequence[SheetResults]) -> list[Total]:
-    """The course total of every student, in the order of the roster."""
+    """The course total of every student, in the order of the roster.
+
+    Of a sheet and its resits, the one with most of its points counts. A sheet for which somebody
+    is excused counts neither for nor against them.
+    """
     if not sheets:
         return []
-    due = [sheet for sheet in sheets if sheet.is_due]
-    out_of = 0.0
-    for sheet in due:
-        out_of += sheet.out_of
+    tries = _tries([sheet for sheet in sheets if sheet.is_due])
     found: list[Total] = []
     for i, result in enumerate(sheets[0].results):
-        own = [sheet.results[i] for sheet in due]
-        found.append(_total(result.student, own, out_of))
+        own: list[_Counting] = []
+        for these in tries:
+            counting = _counting(these, i)
+            if counting is not None:
+                own.append(counting)
+        found.append(_total(result.student, own))
     return found
 
 
-def _total(student: Student, own: Sequence[Result], out_of: float) -> Total:
-    points, missing, status = 0.0, list[str](), "graded"
-    for result in own:
-        if not result.verdicts:
-            missing.append(result.sheet)
-        elif result.points is None:
+def _tries(sheets: Sequence[SheetResults]) -> list[list[SheetResults]]:
+    """Each sheet with its resits."""
+    groups: dict[str, list[SheetResults]] = {}
+    for sheet in sheets:
+        groups.setdefault(sheet.sheet.resit_of or sheet.sheet.name, []).append(sheet)
+    return list(groups.values())
+
+
+@dataclass(frozen=True)
+class _Counting:
+    """What counts of a sheet and its resits for one student."""
+
+    result: Result
+    points: float | None
+    out_of: float
+
+
+def _counting(tries: Sequence[SheetResults], place: int) -> _Counting | None:
+    """The best of the tries; None where the student is excused.
+
+    A resit of other points than the first has these in proportion.
+    """
+    first = tries[0]
+    found: list[_Counting] = []
+    for sheet in tries:
+        result = sheet.results[place]
+        if result.excused:
+            return None
+        points = result.points
+        if points is not None and sheet is not first:
+            points = round(points * first.out_of / sheet.out_of, 2)
+        found.append(_Counting(result, points, first.out_of))
+    return max(found, key=_most)
+
+
+def _most(one: _Counting) -> tuple[bool, float]:
+    """What has points goes before what waits for them, and that before what is missing."""
+    return bool(one.result.verdicts), -1.0 if one.points is None else one.points
+
+
+def _total(student: Student, own: Sequence[_Counting]) -> Total:
+    points, out_of = 0.0, 0.0
+    missing, status = list[str](), "graded"
+    for one in own:
+        out_of += one.out_of
+        if not one.result.verdicts:
+            missing.append(one.result.sheet)
+        elif one.points is None:
             status = "not_graded"
         else:
-            points += result.points
+            points += one.points
 
     if len(missing) == len(own):
-        status = "no_submission"
+        status = "no_submission" if own else "excused"
     elif missing and status == "graded":
         status = "incomplete"
     known = round(points, 2) if status in ("graded", "incomplete") else None
@@ -111,7 +158,8 @@ def grades_csv(sheets: Sequence[SheetResults]) -> str:
     """Every cell quoted; a grade that is not there is empty, never a zero.
 
     The columns of the roster come first, then the course total, then sheet by sheet its points, its
-    status and its parts. Where a notebook ran without walls, a last column says whose.
+    status, what being late took off, where it has a deadline, and its parts. Where a notebook ran
+    without walls, a last column says whose.
     """
     out = io.StringIO()
     writer = csv.writer(out, quoting=csv.QUOTE_ALL, lineterminator="\n")
@@ -147,6 +195,8 @@ def _header(sheets: Sequence[SheetResults], people: Sequence[Total]) -> list[str
     for sheet in sheets:
         name = sheet.sheet.name
         columns += [f"{name}_points", f"{name}_out_of", f"{name}_status"]
+        if sheet.sheet.deadline is not None:
+            columns.append(f"{name}_late_percent")
         columns += _part_columns(name, sheet.parts, counts)
     return columns
 
@@ -165,6 +215,8 @@ def _part_columns(sheet: str, parts: Iterable[str], counts: Counter[str]) -> lis
 def _sheet_cells(sheet: SheetResults, result: Result) -> list[str]:
     out_of = result.out_of if result.verdicts else None
     cells = [_number(result.points), _number(out_of), result.status]
+    if sheet.sheet.deadline is not None:
+        cells.append(_number(result.late.percent if result.verdicts else None))
     cells.extend(map(_number, map(result.earned.get, sheet.parts)))
     return cells
 

@@ -7,7 +7,7 @@ from concurrent.futures import Future, ThreadPoolExecutor, as_completed
 from contextlib import closing
 from dataclasses import dataclass, replace
 from importlib.metadata import version
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ..exercises.exercise import Exercise, Manual, Part
 from ..exercises.files.finding import exercise_files
@@ -20,16 +20,19 @@ from ..grader.marking.guesses import counted
 from ..grader.marking.mark import mark
 from ..grader.marking.price import Bill, Price
 from ..grader.marking.verdict import Verdict, not_graded
+from .arrivals import note_arrivals
 from .config import Course, CourseError, Sheet, Student
 from .gradebook import Gradebook, GradeKey
 from .handed_out import HandedOut
-from .marks import with_marks
-from .results import UNSAFE_STAMP, Result, recorded_results
+from .results import UNSAFE_STAMP, Result, recorded_results, standing
 from .rules import rules_hash
 from .same_numbers import marked_for_it, same_numbers
 from .sheet.submissions import NOTEBOOK, Submission, find_submission, misnamed, passed_over
 from .sheets import asked_parts, drop_solutions, exercises_of
 from .variant import Record, canonical, digest
+
+if TYPE_CHECKING:
+    from pathlib import Path
 
 __all__ = ["Result", "SheetMarker", "recorded_results"]
 log = logging.getLogger(__name__)
@@ -95,7 +98,7 @@ class SheetMarker:
 
         files = exercise_files(course.folder / "exercises")
         self._hashes = [rules_hash(files[slug]) for slug in sheet.exercises]
-        self._marks = gradebook.marks(sheet.name)
+        self._arrived: dict[tuple[str, str], Path] = {}  # files by student and hash
         self._handed_out = HandedOut(
             gradebook,
             sheet.name,
@@ -128,7 +131,8 @@ class SheetMarker:
             JailError: there is a notebook among the submissions, and none can run as it should.
         """
         try:
-            return self._results(step)
+            results = self._results(step)
+            return standing(self.course, self.gradebook, self.sheet, results)
         finally:
             if self._own_jail:
                 self.jail.close()
@@ -145,6 +149,7 @@ class SheetMarker:
                 todo.append(found)
 
         self.gradebook.see([work.key for work in todo])
+        note_arrivals(self.course, self.gradebook, self.sheet, self._arrived)
         came_in: dict[str, _Raws] = {}
         with closing(self._collected(todo)) as collected:  # also when Ctrl-C comes between two
             for work, raws in collected:
@@ -206,6 +211,7 @@ class SheetMarker:
         moved = self._handed_out.moved(student.id)
         rules = self._rules(records, moved, submission)
         key = GradeKey(student.id, self.sheet.name, digest(submission.data), rules)
+        self._arrived[student.id, key.submission] = submission.path
         return _Work(student, submission, records, moved, key)
 
     def _no_submission(self, student: Student) -> str:
@@ -230,8 +236,14 @@ class SheetMarker:
             self.course.settings.limits.model_dump(),
             self.course.settings.marking.model_dump(),
             *self._run_with(submission),
+            *self._adjusted(),
         )
         return digest(canonical(followed).encode())
+
+    def _adjusted(self) -> list[Any]:
+        """What course.toml sets otherwise than the exercises; nothing where it sets nothing."""
+        adjustments = self.sheet.adjustments()
+        return [adjustments] if adjustments else []
 
     def _run_with(self, submission: Submission) -> list[Any]:
         """What else a notebook's marks follow from, where there is anything.
@@ -359,12 +371,11 @@ class SheetMarker:
 
     def _result(self, work: _Work, verdicts: Sequence[Verdict]) -> Result:
         student = work.student
-        marked = with_marks(verdicts, student.id, self._marks, self._parts)
         sheets = [sheet.name for sheet in self.course.settings.sheet]
         others = passed_over(
             self.course.folder, student.id, self.sheet.name, sheets, work.submission.path
         )
-        return Result(student, self.sheet.name, marked, passed_over=tuple(others))
+        return Result(student, self.sheet.name, tuple(verdicts), passed_over=tuple(others))
 
 
 def _raws_or_error(future: Future[dict[str, Raw]]) -> dict[str, Raw] | Exception:

@@ -2,6 +2,7 @@
 
 import sys
 from collections.abc import Collection, Mapping, Sequence
+from itertools import chain
 from pathlib import Path
 
 from rich.console import Console
@@ -19,6 +20,7 @@ from .gradebook import Gradebook
 from .grades import SheetResults, grades_csv
 from .grading import Result, SheetMarker, recorded_results
 from .report import write_report
+from .requests import read_requests
 from .sheet.submissions import strangers
 from .sheets import exercises_of, renew_solutions
 from .tables import legend, terminal_table
@@ -167,7 +169,9 @@ def write_results(course: Course, gradebook: Gradebook, marked: Marked) -> Path:
     with progress("Writing feedback", pages) as step:
         for sheet in sheets:
             write_all_feedback(course, gradebook, sheet, step)
-    return write_report(course, sheets, level_line(gradebook.noted_level()))
+    asked = [read_requests(course, gradebook, sheet.sheet) for sheet in sheets]
+    level = level_line(gradebook.noted_level())
+    return write_report(course, sheets, level, list(chain.from_iterable(asked)))
 
 
 def show(course: Course, marked: Sequence[tuple[Sheet, Sequence[Result]]], level: str = "") -> None:

@@ -3,14 +3,10 @@
 import csv
 import io
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
 from pathlib import Path
 
-from ..exercises.answers import Manual
-from ..exercises.exercise import Part
-from ..grader.marking.verdict import Finding, Status, Verdict
 from ..solutions.plain_number import plain_number
-from .by_hand import ByHand, answer_id, by_hand, the_one
+from .by_hand import ByHand, by_hand, every_answer, the_one
 from .errors import CourseError
 from .escape import for_spreadsheet, from_spreadsheet
 from .files import write_atomically
@@ -19,17 +15,17 @@ from .text_file import csv_rows, text_of
 
 __all__ = [
     "ByHand",
-    "answer_id",
     "by_hand",
-    "enter",
+    "every_answer",
     "read_csv",
+    "read_ticks",
+    "the_one",
     "to_csv",
-    "with_marks",
     "write_csv",
 ]
 COLUMNS: tuple[str, ...] = (
     "student", "sheet", "part", "points", "out_of",
-    "comment", "answer", "key", "rubric", "answer_id", "code",
+    "comment", "ticks", "answer", "key", "rubric", "answer_id", "code",
 )  # fmt: skip
 NEEDED = (
     "student",
@@ -39,89 +35,39 @@ NEEDED = (
     "answer_id",
 )  # the others are for the marker to read
 ID = "id-"  # in front of an answer's id: no spreadsheet takes the whole for a number or a date
-CHANGED = "The answer changed since it was marked by hand; it waits for a new mark."
 
 
-def with_marks(
-    verdicts: Sequence[Verdict],
-    student: str,
-    marks: Mapping[tuple[str, str], Mark],
-    parts: Mapping[str, Part],
-) -> tuple[Verdict, ...]:
-    """Verdicts with the marks that were entered by hand for these answers.
+def to_csv(found: Sequence[ByHand], *, blind: bool = False) -> str:
+    """One line for every answer; fill in points and comment, and read it back.
 
-    Args:
-        verdicts: of one student.
-        student: whose verdicts they are.
-        marks: of the sheet, by student and part.
-        parts: of the sheet, by variable.
+    With `blind`, the code of the variant stands in the place of the student.
     """
-    marked: list[Verdict] = []
-    for verdict in verdicts:
-        mark = marks.get((student, verdict.part))
-        marked.append(_marked(verdict, mark, parts.get(verdict.part)))
-    return tuple(marked)
-
-
-def _marked(verdict: Verdict, mark: Mark | None, part: Part | None) -> Verdict:
-    if mark is None or part is None or not isinstance(part.answer, Manual):
-        return verdict
-    if mark.answer != answer_id(verdict.answer):
-        if verdict.points is None:
-            return replace(verdict, findings=(Finding(CHANGED),))
-        return verdict
-
-    points = min(mark.points, verdict.out_of)  # the part may be worth less since
-    status: Status = "partly"
-    if points == verdict.out_of:
-        status = "correct"
-    elif points == 0:
-        status = "incorrect"
-    findings: tuple[Finding, ...] = ()
-    if mark.comment:
-        findings = (Finding(mark.comment),)
-    return replace(verdict, status=status, points=points, findings=findings)
-
-
-def enter(
-    found: Sequence[ByHand],
-    gradebook: Gradebook,
-    student: str,
-    part: str,
-    points: float,
-    comment: str = "",
-    sheet: str = "",
-) -> None:
-    """Enters one mark for the answer as it is now.
-
-    Raises:
-        CourseError: nothing by that name is marked by hand, or the points are out of range.
-    """
-    one = the_one(found, student, part, sheet)
-    gradebook.save_marks([one.new_mark(points, comment)])
-
-
-def to_csv(found: Sequence[ByHand]) -> str:
-    """One line for every answer; fill in points and comment, and read it back."""
     out = io.StringIO()
     writer = csv.DictWriter(out, COLUMNS, quoting=csv.QUOTE_ALL, lineterminator="\n")
     writer.writeheader()
-    for one in found:
-        writer.writerow(_row(one))
+    lines = sorted(found, key=_by_code) if blind else found
+    for one in lines:
+        writer.writerow(_row(one, blind=blind))
     return out.getvalue()
 
 
-def _row(one: ByHand) -> dict[str, str]:
-    assert isinstance(one.part.answer, Manual)  # noqa: S101 - that is what was looked for
+def _by_code(one: ByHand) -> tuple[str, str, str]:
+    """Within each part: the order of the roster would tell who it is."""
+    return one.sheet, one.part.variable, one.code
+
+
+def _row(one: ByHand, *, blind: bool) -> dict[str, str]:
     points = ""
     comment = ""
+    ticks = ""
     if one.mark is not None:
         comment = one.mark.comment
-        if not one.waits:
+        ticks = one.mark.ticks
+        if not one.waits and one.mark.points is not None:
             points = f"{one.mark.points:g}"
-    rubric = [f"{worth:g}: {text}" for worth, text in one.part.answer.rubric]
+    rubric = [f"({i}) {worth:g}: {text}" for i, (worth, text) in enumerate(one.rubric, 1)]
     return {
-        "student": one.student,
+        "student": one.code if blind else one.student,
         "sheet": one.sheet,
         "part": one.part.variable,
         "points": points,
@@ -130,12 +76,13 @@ def _row(one: ByHand) -> dict[str, str]:
         "answer": for_spreadsheet(one.answer),
         "key": for_spreadsheet(one.key),
         "rubric": for_spreadsheet("; ".join(rubric)),
+        "ticks": ticks,
         "answer_id": f"{ID}{one.answer_id}",
         "code": one.code,
     }
 
 
-def write_csv(found: Sequence[ByHand], path: Path) -> None:
+def write_csv(found: Sequence[ByHand], path: Path, *, blind: bool = False) -> None:
     """The lines of `to_csv` as a file.
 
     Raises:
@@ -143,11 +90,11 @@ def write_csv(found: Sequence[ByHand], path: Path) -> None:
     """
     if path.exists():
         raise CourseError(f"{path} is already there and may hold marks; name another file")
-    write_atomically(path, to_csv(found))
+    write_atomically(path, to_csv(found, blind=blind))
 
 
-def read_csv(path: Path, found: Sequence[ByHand], gradebook: Gradebook) -> int:
-    """Enters all marks of a file, or none; lines without points are passed over.
+def read_csv(path: Path, found: Sequence[ByHand], gradebook: Gradebook, *, marker: str = "") -> int:
+    """Enters all marks of a file, or none; lines without points and ticks are passed over.
 
     Returns:
         How many were entered.
@@ -157,13 +104,13 @@ def read_csv(path: Path, found: Sequence[ByHand], gradebook: Gradebook) -> int:
     """
     marks: list[Mark] = []
     for line, row in _rows(path):
-        if not row["points"].strip():
+        if not row["points"].strip() and not row["ticks"].strip():
             continue
         try:
             marks.append(_read_mark(found, row))
         except CourseError as error:
             raise CourseError(f"{path}, line {line}: {error}; nothing was entered") from error
-    gradebook.save_marks(marks)
+    gradebook.save_marks(marks, author=marker)
     return len(marks)
 
 
@@ -181,7 +128,7 @@ def _rows(path: Path) -> Iterator[tuple[int, dict[str, str]]]:
                 f"{path}: the column {name!r} is missing; `kinegrade marks write` has all columns"
             )
     for row in rows:
-        cells: dict[str, str] = {"comment": ""}
+        cells: dict[str, str] = {"comment": "", "ticks": ""}
         cells |= dict.fromkeys(NEEDED, "")
         cells.update(zip(columns, row.cells, strict=False))  # a row may be shorter
         yield row.first, cells
@@ -193,7 +140,22 @@ def _read_mark(found: Sequence[ByHand], row: Mapping[str, str]) -> Mark:
         raise CourseError(
             f"{one.student}, {one.part.variable}: the answer changed since this file was written"
         )
-    return one.new_mark(_points(row["points"].strip()), from_spreadsheet(row["comment"]))
+    points = row["points"].strip()
+    comment = from_spreadsheet(row["comment"])
+    return one.new_mark(_points(points) if points else None, comment, read_ticks(row["ticks"]))
+
+
+def read_ticks(text: str) -> tuple[int, ...]:
+    """The lines of a rubric as somebody types them: "1,3", "1; 3" or "1 3".
+
+    Raises:
+        CourseError: something else than numbers of lines.
+    """
+    numbers = text.replace(",", " ").replace(";", " ").split()
+    for number in numbers:
+        if not number.isdecimal():
+            raise CourseError(f"ticks take numbers of lines, such as 1,3, got {text[:20]!r}")
+    return tuple(int(number) for number in numbers)
 
 
 def _points(text: str) -> float:

@@ -1,6 +1,5 @@
 """What went wrong in a class: every mistake with those who made it, and what holds marks up."""
 
-import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
@@ -8,13 +7,11 @@ from ..exercises.exercise import Manual
 from ..grader.marking.verdict import ASIDES, Finding, Verdict
 from .grades import SheetResults
 from .sheets import asked_parts
+from .term.anywhere import anywhere
+from .term.opinions import ACCEPTED
 
 UNNAMED = "Wrong, and no known mistake fits."
 WRONG = ("partly", "incorrect", "failed")
-ONE = r"(?:matrix|row|column|entry) \d+"
-PLACE = re.compile(rf"(:|, first at)? {ONE}(?:(?:, | and ){ONE})*")
-"""Where in a matrix it is; the same mistake stands elsewhere for others."""
-SHAPES = re.compile(r"^Takes shape \([^)]*\), got \([^)]*\): ")
 
 
 @dataclass(frozen=True)
@@ -65,14 +62,15 @@ def _told(sheet: SheetResults) -> Found:
             continue
         named = [finding for finding in verdict.findings if _names(finding)]
         for finding in named:
-            yield _anywhere(_first_line(finding)), verdict.part, student
+            yield anywhere(_first_line(finding)), verdict.part, student
         if not named:
             yield UNNAMED, verdict.part, student
 
 
 def _names(finding: Finding) -> bool:
     """Whether a finding tells the student what is wrong."""
-    return not finding.private and not finding.text.startswith(ASIDES)
+    aside = finding.text.startswith((*ASIDES, ACCEPTED))
+    return not finding.private and not finding.by_person and not aside
 
 
 def _reasons(sheet: SheetResults) -> Found:
@@ -100,13 +98,6 @@ def _verdicts(sheet: SheetResults) -> Iterator[tuple[str, Verdict]]:
 def _first_line(finding: Finding) -> str:
     """The sentence, without the typed lines behind it."""
     return finding.text.partition("\n")[0]
-
-
-def _anywhere(sentence: str) -> str:
-    """A sentence without the place in a matrix, and the shapes, of which it speaks."""
-    said = SHAPES.sub("", sentence)
-    said = PLACE.sub(lambda found: "" if found[1] else " one entry", said)
-    return said[:1].upper() + said[1:]
 
 
 def _gathered(sheets: Iterable[SheetResults], search: Search) -> list[Mistake]:

@@ -13,6 +13,7 @@ from markupsafe import Markup
 
 from .escape import printable_lines
 from .files import write_atomically
+from .formulas import page_text
 
 DAY = "\ue002"
 """A private character where a page says on which day it was written."""
@@ -39,6 +40,11 @@ def _environment() -> Environment:
     environment.globals["script_hash"] = Markup(f"sha256-{digest}")  # noqa: S704 - hexadecimal
     environment.globals["day"] = Markup(DAY)  # noqa: S704 - one character
     return environment
+
+
+def with_formulas(line: str) -> Markup:
+    """A line of text as markup, with its formulas set."""
+    return Markup(page_text(line))  # noqa: S704 - page_text escapes
 
 
 def _shown(value: Any) -> Any:

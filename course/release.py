@@ -12,7 +12,7 @@ from threading import Thread
 from typing import Any
 
 from ..exercises.exercise import Exercise
-from ..exercises.files.finding import exercise_files, find
+from .adjusting import exercises_on
 from .config import Format, LimitsTable, PackagesTable, Sheet, Student
 from .files import write_atomically
 from .sheet.assignment import Assignment
@@ -152,14 +152,13 @@ def _end_with_the_parent() -> None:
 
 def _write_there(order: Order) -> None:
     """Writes an order in a process that loads the exercises itself."""
-    write(order, _loaded(order.folder / "exercises", order.sheet.exercises))
+    write(order, _loaded(order.folder / "exercises", order.sheet.model_dump_json()))
 
 
 @cache
-def _loaded(own: Path, slugs: tuple[str, ...]) -> list[Exercise]:
+def _loaded(own: Path, sheet: str) -> list[Exercise]:
     """The exercises of a sheet, loaded once in a process that lives no longer than one run."""
-    files = exercise_files(own)
-    return [find(slug, files, own) for slug in slugs]
+    return exercises_on(Sheet.model_validate_json(sheet), own)
 
 
 def cores() -> int:

@@ -12,11 +12,13 @@ from .config import Course
 from .grades import SheetResults, Total, totals
 from .grading import Result
 from .histogram import histogram
+from .ledger.term import Request
 from .mistakes import absent, mistakes, private_notes, to_talk_about, waiting
 from .pages import template, write_page
 from .robot_maps import write_maps
 from .statistics import PartNumbers, part_numbers, sheet_shares, spread
 from .tables import MARKS, remark, result_text
+from .term.differences import Move
 
 Block = dict[str, Any]
 """What a template shows of one thing, by the names that it uses."""
@@ -25,10 +27,15 @@ HARD = 0.5  # of the points: parts with less stand there
 ODD = 0.1  # a discrimination below says that something is the matter with the question
 
 
-def write_report(course: Course, sheets: Sequence[SheetResults], level: str = "") -> Path:
+def write_report(
+    course: Course,
+    sheets: Sequence[SheetResults],
+    level: str = "",
+    requests: Sequence[Request] = (),
+) -> Path:
     """report/index.html, and beside it the page of the robots that were asked about.
 
-    `level` is a sentence on how notebooks were run.
+    `level` is a sentence on how notebooks were run, `requests` are what students asked.
     """
     folder = course.folder / "report"
     title = course.settings.title
@@ -39,7 +46,8 @@ def write_report(course: Course, sheets: Sequence[SheetResults], level: str = ""
         maps=write_maps(folder, title, _robots(sheets)),
         total=_total_block(people),
         names={student.id: student.name for student in course.students},
-        next=_next_week(sheets),
+        next=_next_week(sheets) | {"requests": [one for one in requests if not one.answered]},
+        changed=_changed(sheets),
         sheets=[_sheet_block(course, sheet) for sheet in sheets],
         people=[_person(sheets, i, total) for i, total in enumerate(people)],
         marks=[(MARKS[status], words) for status, words in STATUS_WORDS.items()],
@@ -47,6 +55,15 @@ def write_report(course: Course, sheets: Sequence[SheetResults], level: str = ""
     path = folder / "index.html"
     write_page(path, html)
     return path
+
+
+def _changed(sheets: Sequence[SheetResults]) -> list[str]:
+    """Marks that are other ones than students were told, a line each."""
+    lines: list[str] = []
+    for sheet in sheets:
+        told = [Move(result, result.by_now) for result in sheet.results if result.by_now]
+        lines += [move.line().replace("->", "→") for move in told]
+    return lines
 
 
 def _robots(sheets: Sequence[SheetResults]) -> set[str]:

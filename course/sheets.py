@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any, get_args
 
 from ..exercises.exercise import Exercise, Part
-from ..exercises.files.finding import exercise_files, find
+from .adjusting import exercises_on
 from .check import read_handout
 from .config import Course, CourseError, Format, Sheet, Student, hint
 from .console import say
@@ -37,9 +37,7 @@ def exercises_of(course: Course, sheet: Sheet) -> list[Exercise]:
         ExerciseError: one is unknown or broken.
         CourseError: two exercises ask for variables of the same name.
     """
-    own = course.folder / "exercises"
-    files = exercise_files(own)
-    exercises = [find(slug, files, own) for slug in sheet.exercises]
+    exercises = exercises_on(sheet, course.folder / "exercises")
     _refuse_equal_names(sheet, exercises)
     _check_pins(sheet, {exercise.slug: exercise for exercise in exercises})
     return exercises

@@ -14,6 +14,7 @@ from .console import say
 from .escape import printable
 from .grading import Result
 from .marks import ByHand
+from .times import late_text
 
 MARKS: dict[Status, str] = {
     "correct": "✓",
@@ -52,11 +53,10 @@ def _marks(result: Result, exercise: Exercise) -> str:
 def show_by_hand(waiting: Sequence[ByHand]) -> None:
     """Answers that wait for a mark, one after the other, with what to mark them by."""
     for one in waiting:
-        assert isinstance(one.part.answer, Manual)  # noqa: S101 - only such parts wait
-        rubric = [f"    {points:g}  {text}" for points, text in one.part.answer.rubric]
+        rubric = [f"    ({i}) {points:g}  {text}" for i, (points, text) in enumerate(one.rubric, 1)]
         lines = [
             f"{one.student}  {one.part.variable}  {one.part.points:g} points",
-            f"  answer: {_shown_answer(one.answer, one.part.answer)}",
+            f"  answer: {_shown_answer(one)}",
             f"  key:    {one.key}",
             "\n".join(rubric),
             "",
@@ -68,10 +68,11 @@ def show_by_hand(waiting: Sequence[ByHand]) -> None:
         say(f"{len(waiting)} answers wait for a mark.")
 
 
-def _shown_answer(answer: str, asked: Manual) -> str:
-    if answer:
-        return printable(answer)
-    if asked.on_paper:
+def _shown_answer(one: ByHand) -> str:
+    if one.answer:
+        return printable(one.answer)
+    asked = one.part.answer
+    if isinstance(asked, Manual) and asked.on_paper:
         return "(on paper)"
     return "(nothing)"
 
@@ -83,6 +84,8 @@ def legend() -> str:
 
 def result_text(result: Result) -> str:
     """Points of a result, or what stands in their place."""
+    if result.excused:
+        return "excused"
     if result.points is not None:
         return f"{result.points:g} / {result.out_of:g}"
     if not result.verdicts:
@@ -90,7 +93,7 @@ def result_text(result: Result) -> str:
     known = [verdict.points for verdict in result.verdicts if verdict.points is not None]
     if not known:
         return "not graded"
-    return f"{round(sum(known), 2):g} + ? / {result.out_of:g}"
+    return f"{result.so_far:g} + ? / {result.out_of:g}"
 
 
 def remark(result: Result, *, public: bool = False) -> str:
@@ -100,6 +103,9 @@ def remark(result: Result, *, public: bool = False) -> str:
     """
     if result.reason:
         return result.reason
+    late = late_text(result.late)
+    if late:
+        return late
     if result.passed_over:
         names = ", ".join(result.passed_over)
         return f"also there, and not marked: {names}"
@@ -128,5 +134,8 @@ def _result_json(result: Result) -> dict[str, Any]:
         "points": result.points,
         "out_of": result.out_of,
         "reason": result.reason,
+        "days_late": result.late.days,
+        "late_percent": result.late.percent,
+        "published": result.published,
         "parts": [verdict.to_json() for verdict in result.verdicts],
     }

@@ -120,7 +120,7 @@ class Arm:
         lengths: Mapping[str, Ends] | None = None,
         arrows: bool = True,
         more: Mapping[str, Array] | None = None,
-        view: tuple[float, float] = Drawing.view,
+        view: tuple[float, float] | None = Drawing.view,
         stands: ArrayLike = Drawing.stands,
     ) -> Drawing:
         """The arm as it stands, its base and tool frame under these names.

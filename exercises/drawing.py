@@ -36,8 +36,10 @@ class Triad:
 class Drawing:
     """An arm at one configuration `q` [rad, m], seen from `view` (azimuth, elevation) in degrees.
 
-    With `arrows`, each joint carries an arrow in its positive sense. The arm stands off its base
-    plate along `stands`, in base axes: on a wall or a ceiling, that is not z.
+    Without a `view` an arm in space is seen from the front, a planar one flat, along its axes. With
+    `arrows`, each joint carries an arrow in its positive sense; seen flat, it starts where the
+    joint's angle is zero. The arm stands off its base plate along `stands`, in base axes: on a wall
+    or a ceiling, that is not z.
     """
 
     chain: "Chain"
@@ -47,7 +49,7 @@ class Drawing:
     triads: tuple[Triad, ...] = ()
     dimensions: tuple[Dimension, ...] = ()
     arrows: bool = True
-    view: tuple[float, float] = (-55.0, 22.0)
+    view: tuple[float, float] | None = None
     stands: Point = (0.0, 0.0, 1.0)
 
 

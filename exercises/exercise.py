@@ -127,7 +127,7 @@ class Part:
     printed. `follow` is the share of the points for an answer that is right from the student's own,
     wrong, earlier answers. `credit` says whether marks go to entries, to whole columns, to blocks
     of three rows (linear ones, angular ones), or to the whole answer only. `tolerance` overrides
-    the derived one.
+    the derived one, and `tolerance_factor` is a course's own on whichever holds.
     """
 
     variable: str
@@ -141,6 +141,7 @@ class Part:
     follow: float = 1.0
     credit: Credit = "entry"
     tolerance: float | None = None
+    tolerance_factor: float = 1.0
     hints: tuple[str, ...] = ()
     mistakes: tuple[Mistake, ...] = ()
     explain: Callable[[Variant, Given], Sequence[Step]] | None = None

@@ -7,6 +7,7 @@ from typing import Literal
 
 from .analytic import RepresentationError, angles_from_rotation
 from .chain import Array, Chain
+from .denavit_hartenberg import named_table
 from .limits import TURN
 from .robot import ALL, LINEAR, Motion, Robot
 from .table import joint_names, read_table
@@ -14,6 +15,7 @@ from .urdf import UrdfError, read_urdf
 
 STROKE = (0.1, 1.0)  # of a slide whose limits nobody said [m]
 MOVES = {"R": "Rz", "P": "Tz"}
+ROUNDED = 1e-5  # right angles in files are 1.5708
 TINY = 1e-12  # what is smaller in a transform is 0
 
 
@@ -51,11 +53,20 @@ def robot_from_chain(
     title: str = "Arm",
     limits: Sequence[tuple[float, float]] | None = None,
     task_rows: Sequence[int] | None = None,
+    named: bool = False,
+    tolerance: float = ROUNDED,
 ) -> Robot:
     """A robot of hand-placed frames with the transforms of a chain, which has no named lengths.
 
+    With `named` it is that of a standard Denavit-Hartenberg table, as closed forms want it: its
+    lengths and angles [m, rad] have names, such as a2 and alpha2, with the chain's values as
+    defaults. What is within the `tolerance` [of the arm's length, rad] of zero, or of a multiple of
+    pi/4, is that: 1.5708 is a right angle.
+
     `limits` [rad, m] and `task_rows` are by default those of `robot_from_table`.
     """
+    if named:
+        return _named(chain, title, limits, task_rows, tolerance)
     *before, tool = [_motions(transform) for transform in chain.fixed]
     rows = list[tuple[Motion, ...]]()
     for kind, joint, placement in zip(chain.kinds, joint_names(chain.n), before, strict=True):
@@ -80,15 +91,41 @@ def robot_from_urdf(
     tip: str | None = None,
     *,
     title: str = "Arm",
+    named: bool = False,
 ) -> Robot:
-    """The robot between two links of a URDF, with its limits; see `read_urdf`. Raises UrdfError."""
+    """The robot between two links of a URDF, with its limits; see `read_urdf`. Raises UrdfError.
+
+    With `named` its lengths have names, as in `robot_from_chain`.
+    """
     arm = read_urdf(text_or_path, base, tip)
     if arm.is_coupled:
         raise UrdfError(
             f"a robot takes joints that move by themselves between {arm.base} and {arm.tip}, "
             "got one that mimics another; read_urdf has the Jacobian of such an arm"
         )
-    return robot_from_chain(arm.chain, title=title, limits=arm.limits)
+    return robot_from_chain(arm.chain, title=title, limits=arm.limits, named=named)
+
+
+def _named(
+    chain: Chain,
+    title: str,
+    limits: Sequence[tuple[float, float]] | None,
+    task_rows: Sequence[int] | None,
+    tolerance: float,
+) -> Robot:
+    table = named_table(chain, tolerance)
+    first = chain.fixed[0]
+    return Robot(
+        name="chain",
+        title=title,
+        parameters=table.parameters,
+        rows=tuple(table.rows),
+        limits=tuple(limits or _limits(chain.kinds)),
+        source="a chain",
+        base=tuple(_motions(first)),
+        tool=tuple(table.tool),
+        task_rows=tuple(task_rows or _task_rows(chain.kinds)),
+    )
 
 
 def _limits(kinds: str) -> list[tuple[float, float]]:

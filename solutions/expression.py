@@ -5,6 +5,7 @@ import operator
 import re
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from importlib import import_module
 from typing import Any
 
@@ -13,9 +14,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from .nodes import (
     CALLED,
+    OPERATIONS,
     Node,
     Printed,
-    applied,
     arguments_of,
     moved,
     printed_leaf,
@@ -34,6 +35,7 @@ __all__ = [
     "parse",
 ]
 
+NAME = "name"
 PLAIN = {"+": "add", "-": "sub", "*": "mul", "/": "truediv", "^": "pow", "neg": "neg", "abs": "abs"}
 GREEK = frozenset({"theta", "alpha", "beta", "gamma", "phi", "psi", "omega", "pi", "xi"})
 
@@ -60,7 +62,7 @@ class Expression:
         if len(unused) != 1:
             raise ExpressionError(f"nodes takes one tree in post-order, got {len(unused)}")
 
-    @property
+    @cached_property
     def names(self) -> frozenset[str]:
         """Names that occur."""
         return frozenset(str(node[1]) for node in self.nodes if node[0] == "s")
@@ -71,25 +73,37 @@ class Expression:
         Arrays broadcast; a result without any array is a float. Outside a function's domain the
         value is NaN or infinite, as numpy has it. Raises ExpressionError if a name has no value.
         """
-        missing = sorted(self.names - set(values))
-        if missing:
+        if not self.names <= values.keys():
+            missing = ", ".join(sorted(self.names - values.keys()))
             given = ", ".join(sorted(values)) or "none"
-            raise ExpressionError(f"values takes {', '.join(missing)}, got only {given}")
+            raise ExpressionError(f"values takes {missing}, got only {given}")
 
         results = list[Any]()
         with np.errstate(all="ignore"):
-            for node in self.nodes:
-                if node[0] == "n":
-                    results.append(node[1])
-                elif node[0] == "s":
-                    results.append(np.asarray(values[node[1]], dtype=np.float64))
+            for function, first, second in self._steps:
+                if function is None:
+                    results.append(first)
+                elif function is NAME:
+                    results.append(np.asarray(values[first], dtype=np.float64))
+                elif second is None:
+                    results.append(function(results[first]))
                 else:
-                    results.append(applied(node[0], [results[i] for i in node[1:]]))
+                    results.append(function(results[first], results[second]))
 
         value = np.asarray(results[-1], dtype=np.float64)
         if value.ndim == 0:
             return float(value)
         return value
+
+    @cached_property
+    def _steps(self) -> tuple[tuple[Any, Any, Any], ...]:
+        """What `at` does: a function and one or two places, or None and a number, or a name."""
+        steps: dict[Node, int] = {}  # what occurs twice is computed once
+        places = list[int]()
+        for node in self.nodes:
+            step = moved(node, places)
+            places.append(steps.setdefault(step, len(steps)))
+        return tuple(map(_step, steps))
 
     def sympy(self) -> Any:
         """The sympy expression: names become Symbol(name, real=True), decimals exact rationals."""
@@ -130,6 +144,14 @@ class Expression:
             else:
                 printed.append(printed_operation(node[0], [printed[i] for i in node[1:]]))
         return printed[-1][0]
+
+
+def _step(node: Node) -> tuple[Any, Any, Any]:
+    kind, first, *second = node
+    function: Any = OPERATIONS.get(kind)
+    if kind == "s":
+        function = NAME
+    return function, first, second[0] if second else None
 
 
 def _sympy_function(sympy: Any, operation: str) -> Any:

@@ -5,7 +5,7 @@ import math
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from importlib import import_module
 from itertools import chain
 from typing import Any
@@ -34,7 +34,7 @@ class ExpressionArray:
     entries: tuple[Expression, ...]
     shape: tuple[int, ...]
 
-    @property
+    @cached_property
     def names(self) -> frozenset[str]:
         """Names that occur in any entry."""
         return frozenset[str]().union(*(entry.names for entry in self.entries))

@@ -18,6 +18,7 @@ BINARY: dict[str, Callable[[Any, Any], Any]] = {
     "+": np.add, "-": np.subtract, "*": np.multiply, "/": np.divide, "^": np.power,
     "atan2": np.arctan2,
 }  # fmt: skip
+OPERATIONS: dict[str, Callable[..., Any]] = {**UNARY, **BINARY}
 CALLED = {**dict.fromkeys(FUNCTIONS, 1), "atan2": 2}  # functions and how many arguments they take
 BINDING = {"+": 10, "-": 10, "*": 20, "/": 20, "neg": 30, "^": 40}
 WHOLE = 100  # how tightly a name, a number or a call binds: it never takes brackets
@@ -60,11 +61,7 @@ def moved(node: Node, places: Sequence[int]) -> Node:
 
 def applied(operation: str, values: Sequence[Any]) -> Any:
     """Value of an operation, as numpy has it."""
-    if operation in UNARY:
-        return UNARY[operation](values[0])
-    left, right = values
-    # two Python floats would raise where numpy gives infinity
-    return BINARY[operation](np.float64(left), np.float64(right))
+    return OPERATIONS[operation](*values)
 
 
 def printed_leaf(kind: str, content: Any) -> Printed:

@@ -28,6 +28,40 @@ def test_a_robot_of_a_chain_has_its_kinematics(name):
         np.testing.assert_allclose(jacobian(robot.chain(), q), jacobian(chain, q), atol=1e-12)
 
 
+@pytest.mark.parametrize("name", ROBOTS)
+def test_a_chain_with_named_lengths_is_the_same_arm(name):
+    chain = ROBOTS[name].chain()
+    robot = robot_from_chain(chain, named=True)
+    for q in np.random.default_rng(1).uniform(-1, 1, (3, chain.n)):
+        np.testing.assert_allclose(forward(robot.chain(), q), forward(chain, q), atol=1e-12)
+
+
+@pytest.mark.parametrize("seed", range(50))
+def test_so_is_a_random_one(seed):
+    rng = np.random.default_rng(seed)
+    chain = random_chain("".join(rng.choice(["R", "R", "P"], rng.integers(1, 8))), rng)
+    robot = robot_from_chain(chain, named=True)
+    assert robot.kinds == chain.kinds
+    for q in rng.uniform(-2, 2, (3, chain.n)):
+        np.testing.assert_allclose(forward(robot.chain(), q), forward(chain, q), atol=1e-11)
+
+
+def test_the_names_of_a_puma_are_those_of_its_table():
+    robot = robot_from_chain(ROBOTS["puma560"].chain(), named=True)
+    assert [*robot.rows] == [tuple(row) for row in ROBOTS["puma560"].rows]
+    assert robot.parameters == pytest.approx(ROBOTS["puma560"].parameters)
+
+
+def test_right_angles_with_five_digits_are_right_ones_where_lengths_are_named():
+    rounded = URDF.replace("1.5707963267948966", "1.5708")
+    robot = robot_from_urdf(rounded, named=True)
+    assert set(robot.parameters) == {"a1"}
+    exact = robot_from_chain(read_urdf(rounded).chain, named=True, tolerance=1e-12)
+    assert set(exact.parameters) > set(robot.parameters)
+    for q in ([0.3, 0.2], [-0.7, 0.4]):
+        np.testing.assert_allclose(forward(robot.chain(), q), forward(exact.chain(), q), atol=1e-5)
+
+
 @pytest.mark.parametrize("seed", range(5))
 def test_oblique_chains_too(seed):
     chain = random_chain("RPRRPR", np.random.default_rng(seed))

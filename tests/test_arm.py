@@ -16,10 +16,11 @@ import pytest
 from kinegrade.exercises.drawing import Dimension, Drawing, Point, Triad
 from kinegrade.grader.figures.arm import compose, draw
 from kinegrade.grader.figures.depth import Array, by_depth, outside, tube_planes
-from kinegrade.grader.figures.labels import SIZE, SUB, place, symbol_of, text_width
-from kinegrade.grader.figures.pose import camera, pose
+from kinegrade.grader.figures.labels import SIZE, SUB, symbol_of, text_width
+from kinegrade.grader.figures.pose import pose
 from kinegrade.grader.figures.raster import data_uri, png
 from kinegrade.grader.figures.scene import Scene, text_xml
+from kinegrade.grader.figures.view import camera
 from kinegrade.solutions.chain import Chain, elementary, from_frames, from_standard
 from kinegrade.solutions.errors import KinegradeError
 from kinegrade.solutions.kinematics import forward
@@ -154,7 +155,7 @@ def test_arrows_are_there_when_asked_for(name: str) -> None:
 @each_drawing
 def test_labels_keep_clear_of_one_another_and_inside_the_picture(name: str, width: float) -> None:
     scene = compose(DRAWINGS[name], width)
-    boxes = [label.box for label in place(scene.labels, scene.ink, scene.width)]
+    boxes = [label.box for label in scene.placed()]
     for a, b in combinations(boxes, 2):
         assert a[0] >= b[2] or b[0] >= a[2] or a[1] >= b[3] or b[1] >= a[3]
     x, y, wide, high = map(float, root_of(scene.svg("", "")).get("viewBox", "").split())

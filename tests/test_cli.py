@@ -420,29 +420,6 @@ def test_check_says_what_it_cannot_look_at(kinegrade, tmp_path, name, data, word
     assert words in complaint(kinegrade("check", tmp_path / name))
 
 
-def test_plot_of_an_unknown_robot_is_one_sentence(kinegrade, tmp_path):
-    assert "puma560" in complaint(kinegrade("plot", "puma", "-o", tmp_path / "p.png"))
-
-
-def test_plot_writes_a_figure_and_says_what_it_shows(kinegrade, tmp_path, monkeypatch):
-    monkeypatch.setattr(
-        "kinegrade.grader.figures.maps.picture", lambda arm, suffix: f"{arm.name}{suffix}".encode()
-    )
-    monkeypatch.setattr(
-        "kinegrade.grader.figures.maps.describe", lambda arm: f"What {arm.name} reaches."
-    )
-    ran = kinegrade("plot", "planar_2r", "-o", tmp_path / "p.svg")
-    assert (ran.code, ran.out, ran.err) == (
-        0,
-        f"{tmp_path / 'p.svg'}\n",
-        "What planar_2r reaches.\n",
-    )
-    assert (tmp_path / "p.svg").read_bytes() == b"planar_2r.svg"
-    nowhere = kinegrade("plot", "planar_2r", "-o", tmp_path / "p.svg" / "p.svg")
-    assert (nowhere.code, nowhere.out) == (1, "")
-    assert "p.svg: " in nowhere.err
-
-
 def failing(error):
     def fail(*_):
         raise error

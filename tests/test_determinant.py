@@ -7,13 +7,23 @@ from typing import Any
 import numpy as np
 import pytest
 import sympy as sp
+from kinegrade.solutions.any_robot import robot_from_chain, robot_from_table
 from kinegrade.solutions.closed_forms.block import task_columns
 from kinegrade.solutions.closed_forms.half_angles import HalfAngles
 from kinegrade.solutions.closed_forms.polynomial import polynomial, reduced
-from kinegrade.solutions.determinant import DeterminantError, determinant, expanded
+from kinegrade.solutions.determinant import (
+    UNFACTORED,
+    DeterminantError,
+    determinant,
+    expanded,
+    with_factors,
+)
 from kinegrade.solutions.expression import parse
 from kinegrade.solutions.jacobian import jacobian
+from kinegrade.solutions.random_chain import random_chain
 from kinegrade.solutions.robots import ROBOTS, Robot
+from kinegrade.solutions.singularity import factor_values
+from kinegrade.solutions.workspace import section
 
 SQUARE = [arm for arm in ROBOTS.values() if len(arm.task_rows) == arm.n]
 square = pytest.mark.parametrize("arm", SQUARE, ids=lambda arm: arm.name)
@@ -274,3 +284,82 @@ def test_a_square_root_of_two_angles_is_kept_whole():
     for power in (1, 2, 3):
         _, powers = half.factored(polynomial(sp.sin(q1) ** power))
         assert [(e, p) for _, e, p in half.trigonometric(powers)] == [(sp.sin(q1), power)]
+
+
+def table(*rows: tuple[str, str, str, str]) -> Robot:
+    """The robot of a table whose lengths are the names of one letter and a digit in it."""
+    words = {cell for row in rows for cell in row if cell[:1] in "ad"}
+    return robot_from_table(rows, dict.fromkeys(words, 0.3))
+
+
+def test_a_factor_is_written_in_single_angles_where_that_is_shorter():
+    found = determinant(
+        table(("q1", "0", "a1", "pi/2"), ("q2", "d2", "a2", "pi/2"), ("q3", "0", "a3", "0"))
+    )
+    assert [str(expression) for _, expression, _ in found.factors] == [
+        "a2 + a3*cos(q3)",
+        "d2*cos(q2)*cos(q3) - (a1 + a2*cos(q2))*sin(q3)",
+    ]
+    assert sp.count_ops(found.expression) <= 15
+
+
+def random_table(seed: int) -> Robot:
+    rng = np.random.default_rng(seed)
+    twists = ("pi/2", "-pi/2", "0", "pi/4", "pi/3", "alpha", "0.7")
+    rows = [
+        (f"q{i}", str(rng.choice(["0", f"d{i}"])), str(rng.choice(["0", f"a{i}"])), str(rng.choice(twists)))
+        for i in (1, 2, 3)
+    ]  # fmt: skip
+    return table(*rows)
+
+
+@pytest.mark.parametrize("seed", range(50))
+def test_random_arms_of_three_joints_are_written_without_needless_squares(seed: int):
+    arm = random_table(seed)
+    found = determinant(arm)
+    assert_value_of_the_engine(arm)
+    for function in found.expression.atoms(sp.sin, sp.cos):
+        assert not found.expression.has(1 - function**2, function**2 - 1)
+
+
+def test_six_oblique_axes_end_in_one_long_factor():
+    arm = table(*((f"q{i}", f"d{i}", f"a{i}", "pi/2") for i in range(1, 7)))
+    found = determinant(arm)
+    assert [name for name, _, _ in found.factors] == [UNFACTORED]
+    assert_value_of_the_engine(arm)
+
+
+def test_what_would_fill_pages_is_refused_with_a_sentence():
+    chain = random_chain("RRRRRR", np.random.default_rng(0))
+    with pytest.raises(DeterminantError, match="would fill pages; its values at joint angles are"):
+        determinant(robot_from_chain(chain, named=True))
+
+
+@square
+def test_a_chain_with_named_lengths_has_the_determinant_of_its_robot(arm: Robot):
+    named = robot_from_chain(arm.chain(), named=True, task_rows=arm.task_rows)
+    found, known = determinant(named), determinant(arm)
+    assert len(found.factors) == len(known.factors)
+    assert sp.count_ops(found.expression) <= sp.count_ops(known.expression) + 6
+    for q in np.random.default_rng(3).uniform(-2, 2, (3, arm.n)).tolist():
+        joints = dict(zip(arm.joints, q, strict=True))
+        assert value(found.expression, {**named.parameters, **joints}) == pytest.approx(
+            value(known.expression, {**arm.parameters, **joints}), rel=1e-9, abs=1e-12
+        )
+
+
+@pytest.mark.parametrize("name", ["rrt_offset", "puma560", "ur5"])
+def test_the_factors_of_a_chain_are_drawn_like_those_of_the_catalogue(name: str):
+    arm = ROBOTS[name]
+    named = robot_from_chain(arm.chain(), named=True, limits=arm.limits)
+    drawn = with_factors(named)
+    for factor in drawn.factors:
+        assert factor_values(drawn, None, np.zeros(arm.n))[factor.name].shape == ()
+    cut, known = section(drawn, cells=60), section(arm, cells=60)
+    assert len(cut.curves) == len(known.curves)
+    assert cut.extent == pytest.approx(known.extent, abs=1e-9)
+
+
+def test_an_oblique_offset_of_a_joint_is_added_in_the_factors():
+    found = determinant(robot_from_table((("q1", "0", "a1", "0"), ("q2 + b2", "0", "a2", "0")), {"a1": 1, "a2": 1, "b2": 0.3}, task_rows=(0, 1)))  # fmt: skip
+    assert [name for name, _, _ in found.factors] == ["sin(b2 + q2)"]

@@ -13,10 +13,10 @@ from kinegrade.course.config import Student, read_course
 from kinegrade.course.feedback import write_feedback
 from kinegrade.course.gradebook import Mark
 from kinegrade.course.grading import Result
-from kinegrade.course.marks import answer_id, with_marks
 from kinegrade.course.own_sheet import own_questions
 from kinegrade.course.position import position
 from kinegrade.course.sentences import sentence
+from kinegrade.course.term.opinions import Opinions, answer_id
 from kinegrade.course.variant import Record, fingerprint
 from kinegrade.exercises.exercise import (
     Choice,
@@ -373,9 +373,10 @@ def test_what_is_marked_by_hand_is_shown_with_the_rubric_and_later_with_the_comm
         assert f"<li>{points:g}: {escape(text)}</li>" in waiting
     assert "It is marked by hand." in waiting
     assert f"– of {part.points:g} points" in waiting
-    given = Mark("ada", "one", part.variable, 1.5, "Clear & short.", answer_id(answer))
+    (verdict,) = [one for one in verdicts if one.part == part.variable]
+    given = Mark("ada", "one", part.variable, 1.5, "Clear & short.", answer_id(verdict))
     known = {one.variable: one for one in exercise.asked}
-    done = with_marks(verdicts, "ada", {("ada", part.variable): given}, known)
+    done = Opinions({("ada", part.variable): given}, (), known).on("ada", verdicts)
     text = block(feedback(course, exercise, done), part.variable)
     person = text[text.index('<div class="person">') : text.index("</div>")]
     assert "Your marker writes:" in person

@@ -1,6 +1,7 @@
 # pyright: basic
 """Figures of every robot: what they name, where they draw it, that it fits the paper and comes out the same."""
 
+import os
 import re
 import struct
 import subprocess
@@ -12,6 +13,7 @@ import numpy as np
 import pytest
 from kinegrade.grader.figures import maps
 from kinegrade.grader.figures.maps import FigureError, describe, figure, joint_map, picture
+from kinegrade.grader.figures.section_cells import evened, section_of, shown_cells
 from kinegrade.solutions import workspace
 from kinegrade.solutions.robots import ROBOTS, Factor, Robot
 from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -33,7 +35,8 @@ SCARA = Robot(
     source="chosen here",
     task_rows=(0, 1, 2, 5),
 )
-drawn = cache(lambda name: figure(ROBOTS[name]))
+KINDS = ("", "workspace", "singularities")
+drawn = cache(lambda name, kind="": figure(ROBOTS[name], None, kind))
 drawn_again = cache(lambda name: figure(ROBOTS[name]))
 described = cache(lambda name: describe(ROBOTS[name]))
 mapped = cache(lambda name: joint_map(ROBOTS[name]))
@@ -54,7 +57,7 @@ def coarse(monkeypatch):
 @pytest.fixture
 def ready(monkeypatch):
     """Saves the figure that is drawn already."""
-    monkeypatch.setattr(maps, "figure", lambda robot, _parameters: drawn(robot.name))
+    monkeypatch.setattr(maps, "figure", lambda robot, _parameters, _kind: drawn(robot.name))
 
 
 @pytest.mark.parametrize("name", ROBOTS)
@@ -69,8 +72,20 @@ def test_every_robot_has_its_panels_and_names_its_factors(name):
 
 
 @pytest.mark.parametrize("name", ROBOTS)
-def test_nothing_is_drawn_beyond_the_paper(name):
-    picture = drawn(name)
+def test_a_kind_of_figure_has_its_own_panels_and_says_all_lengths(name):
+    assert len(drawn(name, "workspace").axes) == 1
+    whole = mapped(name).det is not None
+    assert len(drawn(name, "singularities").axes) == 1 + whole
+    for kind in KINDS:
+        title = drawn(name, kind).get_suptitle()
+        assert ROBOTS[name].title in title
+        assert title.count("=") == len(ROBOTS[name].parameters)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("name", ROBOTS)
+def test_nothing_is_drawn_beyond_the_paper(name, kind):
+    picture = drawn(name, kind)
     renderer = FigureCanvasAgg(picture).get_renderer()
     for text in picture.findobj(Text):
         if isinstance(text, Text) and text.get_visible() and text.get_text().strip():
@@ -195,7 +210,9 @@ def test_a_picture_is_the_same_bytes_every_time(monkeypatch, suffix, start):
     pictures = []
     for draw, day in ((drawn, 1), (drawn_again, 2)):
         monkeypatch.setenv("SOURCE_DATE_EPOCH", str(86_400 * day))
-        monkeypatch.setattr(maps, "figure", lambda robot, _parameters, draw=draw: draw(robot.name))
+        monkeypatch.setattr(
+            maps, "figure", lambda robot, _parameters, _kind, draw=draw: draw(robot.name)
+        )
         pictures.append(picture(ROBOTS["planar_2r"], suffix))
     one, two = pictures
     assert one == two
@@ -222,3 +239,100 @@ def test_figures_leave_the_style_of_others_alone_and_pyplot_unloaded():
         "assert all(matplotlib.rcParams[k] == before[k] for k in before if k != 'backend')"
     )
     subprocess.run([sys.executable, "-W", "error", "-c", code], check=True)
+
+
+HOSTILE = """text.usetex: True
+text.latex.preamble: \\usepackage{nothing}
+font.family: cursive
+font.size: 31
+axes.facecolor: black
+figure.facecolor: black
+text.color: white
+axes.labelcolor: white
+savefig.facecolor: black
+savefig.dpi: 17
+figure.dpi: 300
+savefig.bbox: tight
+axes.grid: True
+axes.prop_cycle: cycler("color", ["lime"])
+lines.linewidth: 9
+image.origin: upper
+image.interpolation: bicubic
+svg.fonttype: none
+svg.hashsalt: theirs
+pdf.compression: 0
+axes.unicode_minus: False
+path.sketch: 9, 100, 2
+figure.constrained_layout.w_pad: 2
+"""
+DIGESTS = """
+import sys
+from hashlib import sha256
+from kinegrade.grader.figures import maps
+from kinegrade.solutions import workspace
+from kinegrade.solutions.robots import ROBOTS
+maps.SAMPLES = workspace.SAMPLES = 41
+for kind in ("", "workspace", "singularities"):
+    for suffix in (".png", ".svg", ".pdf"):
+        print(kind, suffix, sha256(maps.picture(ROBOTS[sys.argv[1]], suffix, None, kind)).hexdigest())
+"""
+
+
+@pytest.mark.parametrize("name", ["planar_2r", "rrt_offset"])
+def test_a_users_matplotlibrc_changes_no_byte(tmp_path, name):
+    (tmp_path / "matplotlibrc").write_text(HOSTILE, encoding="utf-8")
+    printed = []
+    for settings in ({}, {"MATPLOTLIBRC": str(tmp_path / "matplotlibrc")}):
+        run = subprocess.run(
+            [sys.executable, "-c", DIGESTS, name],
+            env={**os.environ, **settings},
+            cwd=tmp_path.parent,
+            capture_output=True,
+            text=True,
+            check=True,
+        )
+        printed.append(run.stdout)
+    assert printed[0] == printed[1]
+    assert len(printed[0].splitlines()) == 9
+
+
+@pytest.mark.parametrize("name", ["ur5", "panda", "articulated_6r", "planar_3r"])
+def test_a_section_that_samples_filled_is_drawn_without_speckles(name):
+    cut = section_of(ROBOTS[name], {})
+    assert speckles(cut.cells) > 100
+    assert speckles(shown_cells(cut)) == 0
+
+
+def speckles(cells):
+    """How many cells are a good deal darker than all eight around them, or alone in being filled."""
+    known = np.where(np.isnan(cells), 0.0, cells)
+    padded = np.pad(known, 1)
+    around = np.stack(
+        [
+            padded[1 + a : 1 + a + cells.shape[0], 1 + b : 1 + b + cells.shape[1]]
+            for a in (-1, 0, 1)
+            for b in (-1, 0, 1)
+            if (a, b) != (0, 0)
+        ]
+    )
+    darker = around.min(axis=0) > known + 0.03 * known.max()
+    alone = (known > 0) & ((around > 0).sum(axis=0) < 3)
+    return int((darker | alone).sum())
+
+
+def test_a_section_of_two_joints_is_drawn_as_it_was_found():
+    cut = section_of(ROBOTS["rrt_offset"], {})
+    assert shown_cells(cut) is cut.cells
+
+
+def test_evening_lifts_what_is_dark_alone_and_keeps_a_dark_region():
+    cells = np.ones((30, 30))
+    cells[10, 10] = 0.0
+    cells[20:28, 4:26] = 0.2
+    cells[0:3] = np.nan
+    cells[5, 20] = np.nan
+    even = evened(cells)
+    assert even[10, 10] == pytest.approx(1.0)
+    assert even[24, 15] == pytest.approx(0.2)
+    assert np.isnan(even[1]).all()
+    assert even[5, 20] == pytest.approx(1.0)

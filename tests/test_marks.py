@@ -163,7 +163,7 @@ def test_a_file_from_a_spreadsheet_with_semicolons_and_decimal_commas_is_read(
         ({"points": "1", "student": "zoe"}, "zoe, lever_why: there is no such answer"),
         (
             {"points": "1", "part": "lever_p"},
-            "the parts marked by hand are: lever_sketch, lever_why",
+            "the parts are: lever_sketch, lever_why",
         ),
         (
             {"points": "1", "answer_id": "00000000"},

@@ -64,10 +64,11 @@ ROOMS = {
     | {"grader/jail"},
     "course/typeset": ENGINE | {"course/ground", "course/sheet", "exercises", "exercises/kinds"},
     "course/ledger": ENGINE | {"course/ground", "grader/marking"},
+    "course/term": ENGINE | {"course/ground", "course/ledger", "exercises", "grader/marking"},
     "course/ledger/migrations": set(),
     "course/ledger/migrations/versions": set(),
     "course": ENGINE
-    | {"course/ground", "course/sheet", "course/typeset", "course/ledger"}
+    | {"course/ground", "course/sheet", "course/typeset", "course/ledger", "course/term"}
     | {"exercises", "exercises/files"}
     | {"grader/collecting", "grader/jail", "grader/reading", "grader/marking", "grader/telling"}
     | {"grader/figures"},
@@ -76,7 +77,7 @@ ROOMS = {
     | {"exercises", "exercises/files"}
     | {"grader/collecting", "grader/jail", "grader/kinds", "grader/marking", "grader/telling"},
     "course/exchange": ENGINE
-    | {"course", "course/ground", "course/sheet", "exercises", "exercises/files"}
+    | {"course", "course/ground", "course/sheet", "course/term", "exercises", "exercises/files"}
     | {"grader/jail", "grader/marking"},
     "course/command": ENGINE
     | {"course", "course/ground", "course/sheet", "course/proof", "course/exchange"}
@@ -100,8 +101,11 @@ ROOM_OF = {
                 "formulas",
                 "markdown",
                 "roster",
+                "settings",
+                "spelling",
                 "roster_columns",
                 "text_file",
+                "times",
                 "words",
             )
         ],

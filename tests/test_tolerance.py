@@ -17,7 +17,7 @@ def allowed_for(asked, given=None, scale=1.0):
     """The tolerance of one part in an exercise of its own."""
     given = given or {}
     exercise = SimpleNamespace(slug="t", scale=lambda _: scale, parts=())
-    return tolerance(exercise, asked, {}, given, asked.solve({}, given))
+    return tolerance(exercise, asked, {}, given, asked.solve({}, given)).exact
 
 
 def test_a_part_that_needs_nothing_allows_a_unit_of_the_last_decimal():
@@ -80,9 +80,12 @@ def test_every_tolerance_of_every_exercise_is_positive_and_small(exercise):
         if isinstance(asked.answer, Numbers):
             given = {name: answers[name] for name in asked.needs}
             allowed = tolerance(exercise, asked, v, given, answers[asked.variable])
+            exact = allowed.exact
             block = block_scale(asked.answer, answers[asked.variable], exercise.scale(v))
-            assert (allowed > 0).all()
-            assert asked.tolerance or (allowed <= CAP * block).all()
+            assert (exact > 0).all()
+            assert (allowed.least <= exact).all()
+            assert (exact <= allowed.most).all()
+            assert asked.tolerance or (exact <= CAP * block).all()
 
 
 def test_a_need_is_rounded_to_its_own_decimals_where_they_are_fewer():
@@ -98,7 +101,7 @@ def test_a_need_is_rounded_to_its_own_decimals_where_they_are_fewer():
     exercise = SimpleNamespace(slug="t", scale=lambda _: 1.0, parts=(coarse, fine))
     given = {"t_x": np.eye(2)}
     allowed = tolerance(exercise, fine, {}, given, fine.solve({}, given))
-    assert (allowed > 0.005).all()
+    assert (allowed.exact > 0.005).all()
 
 
 def test_forces_and_moments_are_measured_each_against_the_largest_of_their_kind():

@@ -10,9 +10,9 @@ from ..escape import printable
 from ..files import write_atomically
 from ..roster import DEVICE
 from ..sheet.submissions import MAX_BESIDE, READERS
+from ..term.received import Receipt, read_receipts, write_receipts
 from .archive import RefusedError
 from .claims import Claim, Looked
-from .received import Receipt, read_receipts, write_receipts
 from .upload import Upload
 
 REPLACED = ".replaced"

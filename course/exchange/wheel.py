@@ -13,7 +13,8 @@ PROJECT = "kinegrade"
 PACKAGES = ("", ".course", ".exercises", ".grader", ".solutions")
 TAG = "py3-none-any"
 WHEEL = f"Wheel-Version: 1.0\nGenerator: {PROJECT}\nRoot-Is-Purelib: true\nTag: {TAG}\n"
-TEXTS = ("METADATA", "entry_points.txt")
+TEXTS = {"METADATA": ("METADATA", "PKG-INFO"), "entry_points.txt": ("entry_points.txt",)}
+"""A file of a wheel, and what it is called where it is installed, or beside a checkout."""
 
 
 def wheel() -> tuple[str, bytes]:
@@ -28,8 +29,9 @@ def wheel() -> tuple[str, bytes]:
     for package in PACKAGES:
         contents |= _files(f"{PROJECT}{package}")
     info = f"{start}.dist-info"
-    for name in TEXTS:
-        contents[f"{info}/{name}"] = (installed.read_text(name) or "").encode()
+    for name, there in TEXTS.items():
+        texts = filter(None, map(installed.read_text, there))
+        contents[f"{info}/{name}"] = next(texts, "").encode()
     contents[f"{info}/WHEEL"] = WHEEL.encode()
     contents[f"{info}/RECORD"] = _record(contents, f"{info}/RECORD").encode()
     return f"{start}-{TAG}.whl", packed(contents)

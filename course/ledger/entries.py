@@ -1,7 +1,7 @@
 """Entries: when a change was made, by whom and why."""
 
 import getpass
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from datetime import UTC, datetime
 
 from sqlalchemy import Connection, func, select
@@ -10,20 +10,20 @@ from .damage import plain
 from .tables import entry
 
 
-@dataclass(frozen=True)
-class Change:
-    """Who changes something, and why."""
-
-    author: str
-    reason: str = ""
-
-
 def user() -> str:
     """The name under which this process runs, as far as the machine knows one."""
     try:
         return getpass.getuser()
     except (OSError, KeyError, ImportError):  # a number alone, as in some containers; Windows
         return "unknown"
+
+
+@dataclass(frozen=True)
+class Change:
+    """Who changes something, by default the user of this process, and why."""
+
+    author: str = field(default_factory=user)
+    reason: str = ""
 
 
 def enter(connection: Connection, change: Change) -> int:

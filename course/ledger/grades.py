@@ -26,6 +26,15 @@ class GradeKey:
     rules: str
 
 
+@dataclass(frozen=True)
+class Attempt:
+    """One submission of a student, with what it got last, and whether it is the one that counts."""
+
+    submission: str
+    verdicts: list[Verdict]
+    counts: bool
+
+
 def see(connection: Connection, keys: Iterable[GradeKey], change: Change) -> None:
     """Notes the submissions that were never seen before."""
     for key in keys:
@@ -91,6 +100,32 @@ def verdicts_that_count(connection: Connection, sheet: str) -> dict[int, list[Ve
     """The verdicts of the grades that count, by number; None where they are damaged."""
     numbers = select(counted.c.grade).where(counted.c.entry.in_(_last(sheet)))
     return _read(connection, numbers)
+
+
+def attempts(connection: Connection, sheet: str) -> dict[str, list[Attempt]]:
+    """All marked submissions by student, the first seen first; none that is damaged."""
+    newest_grades = select(func.max(grade.c.entry)).where(grade.c.sheet == sheet)
+    newest_grades = newest_grades.group_by(grade.c.student, grade.c.submission)
+    verdicts = _read(connection, newest_grades)
+    counted_now = counting(connection, sheet)
+    names = select(grade.c.entry, grade.c.student, grade.c.submission)
+    submissions: dict[int, tuple[str, str]] = {}
+    for number, student, hash_ in connection.execute(names.where(grade.c.sheet == sheet)):
+        submissions[number] = (student, hash_)
+
+    order = select(submission.c.student, submission.c.hash).where(submission.c.sheet == sheet)
+    seen = [tuple(row) for row in connection.execute(order.order_by(submission.c.entry))]
+    found: dict[tuple[str, str], Attempt] = {}
+    for number, these in verdicts.items():
+        student, hash_ = submissions[number]
+        if these is not None:
+            last = submissions.get(counted_now.get(student, 0))
+            found[student, hash_] = Attempt(hash_, these, counts=last == (student, hash_))
+    ordered: dict[str, list[Attempt]] = {}
+    for student, hash_ in seen:
+        if (student, hash_) in found:
+            ordered.setdefault(student, []).append(found[student, hash_])
+    return ordered
 
 
 def verdicts_of(connection: Connection, number: int) -> list[Verdict] | None:

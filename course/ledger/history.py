@@ -6,7 +6,19 @@ from dataclasses import dataclass
 from sqlalchemy import Connection, RowMapping, Table, select
 
 from .damage import DamagedError, as_number
-from .tables import counted, entry, grade, mark, record, reference, submission, verdict
+from .tables import (
+    counted,
+    entry,
+    extension,
+    grade,
+    mark,
+    published,
+    record,
+    reference,
+    request,
+    submission,
+    verdict,
+)
 
 SHORT = 8  # characters of a hash
 Told = Iterator[tuple[int, str]]
@@ -105,12 +117,34 @@ def _counted(connection: Connection, student: str, sheet: str) -> Told:
 def _marked(connection: Connection, student: str, sheet: str) -> Told:
     for row in _rows(connection, mark, student, sheet):
         what = f"{row['part']} marked by hand: {row['points']} points"
+        if row["points"] is None:
+            what = f"{row['part']} commented on"
         if row["comment"]:
             what += f", {row['comment']!r}"
         yield row["entry"], what
 
 
+def _extended(connection: Connection, student: str, sheet: str) -> Told:
+    for row in _rows(connection, extension, student, sheet):
+        if row["excused"]:
+            yield row["entry"], "excused"
+        elif row["until"]:
+            yield row["entry"], f"deadline extended until {row['until']}"
+        else:
+            yield row["entry"], "the deadline of all holds"
+
+
+def _asked(connection: Connection, student: str, sheet: str) -> Told:
+    for row in _rows(connection, request, student, sheet):
+        yield row["entry"], f"asked about {row['part']}: {row['text']!r}"
+
+
+def _published(connection: Connection, student: str, sheet: str) -> Told:
+    for row in _rows(connection, published, student, sheet):
+        yield row["entry"], "marks published"
+
+
 TELLERS: tuple[Callable[[Connection, str, str], Told], ...] = (
-    _drawn, _accepted, _handed_in, _graded, _counted, _marked,
+    _drawn, _accepted, _handed_in, _graded, _counted, _marked, _extended, _asked, _published,
 )  # fmt: skip
 """In the order in which things of one entry happen."""

@@ -7,33 +7,35 @@ from sqlalchemy import Connection, RowMapping, select
 
 from .damage import DamagedError, Damages, as_number, plain
 from .entries import Change, enter
-from .tables import mark
+from .tables import entry, mark
 
 
 @dataclass(frozen=True)
 class Mark:
     """What a marker gave by hand for one answer.
 
-    `answer` names the one that was read, so that another answer needs another mark.
+    `answer` names the one that was read, so that another answer needs another mark. Without points
+    it is a comment alone. `ticks` are the lines of the rubric that were met, as "1,3".
     """
 
     student: str
     sheet: str
     part: str
-    points: float
+    points: float | None
     comment: str
     answer: str
+    ticks: str = ""
 
 
 def save(connection: Connection, marks: Iterable[Mark], change: Change) -> None:
     """Adds marks, with one entry for all; a mark that says what the last one said adds nothing."""
-    entry = 0
+    number = 0
     for one in marks:
         row = {**vars(one), "comment": plain(one.comment)}
         if _last(connection, one) == row:
             continue
-        entry = entry or enter(connection, change)
-        connection.execute(mark.insert().values(entry=entry, **row))
+        number = number or enter(connection, change)
+        connection.execute(mark.insert().values(entry=number, **row))
 
 
 def _last(connection: Connection, one: Mark) -> dict[str, object] | None:
@@ -44,6 +46,36 @@ def _last(connection: Connection, one: Mark) -> dict[str, object] | None:
     if row is None:
         return None
     return dict(row)
+
+
+@dataclass(frozen=True)
+class Differing:
+    """One answer, and the points that several markers gave for it, by marker."""
+
+    student: str
+    sheet: str
+    part: str
+    points: dict[str, float]
+
+
+def differing(connection: Connection, sheet: str) -> list[Differing]:
+    """Answers to which markers gave other points; of each marker, the last ones."""
+    query = select(mark, entry.c.author).join(entry, entry.c.id == mark.c.entry)
+    rows = connection.execute(query.where(mark.c.sheet == sheet).order_by(mark.c.entry))
+    given: dict[tuple[str, str, str], dict[str, float]] = {}
+    for row in rows.mappings():
+        try:
+            points = as_number(row["points"])
+        except DamagedError:
+            continue
+        if points is not None:
+            place = (row["student"], row["part"], row["answer"])
+            given.setdefault(place, {})[row["author"]] = points
+    found: list[Differing] = []
+    for (student, part, _), points in given.items():
+        if len(set(points.values())) > 1:
+            found.append(Differing(student, sheet, part, points))
+    return found
 
 
 def that_count(connection: Connection, sheet: str, damages: Damages) -> dict[tuple[str, str], Mark]:
@@ -60,6 +92,7 @@ def that_count(connection: Connection, sheet: str, damages: Damages) -> dict[tup
         except DamagedError:
             damages.add(sheet, student, f"the mark of {part}", "`kinegrade marks set` enters it")
             continue
-        if points is not None:  # else a comment alone
-            marks[student, part] = Mark(student, sheet, part, points, row["comment"], row["answer"])
+        marks[student, part] = Mark(
+            student, sheet, part, points, row["comment"], row["answer"], row["ticks"]
+        )
     return marks

@@ -14,7 +14,7 @@ from sqlalchemy import (
 )
 
 LEDGER = MetaData()
-VERSION = "2"  # of the newest file in migrations/versions; the first format had no migrations
+VERSION = "3"  # of the newest file in migrations/versions; the first format had no migrations
 
 version = Table(
     "alembic_version",  # the table and the column in which Alembic looks
@@ -131,6 +131,67 @@ mark = Table(
     Column("points", Float),  # none: a comment alone
     Column("comment", Text, nullable=False),
     Column("answer", String, nullable=False),  # a short name of the answer that was read
+    Column("ticks", String, nullable=False, server_default=""),  # lines of the rubric: "1,3"
     Index("mark_sheet", "sheet", "student"),
 )
 """What was given by hand."""
+
+arrival = Table(
+    "arrival",
+    LEDGER,
+    _change(primary_key=True),
+    Column("student", String, primary_key=True),
+    Column("sheet", String, primary_key=True),
+    Column("hash", String, primary_key=True),  # of the bytes handed in
+    Column("at", String, nullable=False),  # ISO 8601
+    Index("arrival_sheet", "sheet", "student"),
+)
+"""When a submission was handed in, as far as is known."""
+
+extension = Table(
+    "extension",
+    LEDGER,
+    _change(primary_key=True),
+    Column("student", String, primary_key=True),
+    Column("sheet", String, primary_key=True),
+    Column("until", String),  # ISO 8601; none: the deadline of all
+    Column("excused", Boolean, nullable=False),
+    Index("extension_sheet", "sheet", "student"),
+)
+"""Another deadline for one student, or a sheet that does not count for one."""
+
+acceptance = Table(
+    "acceptance",
+    LEDGER,
+    _change(primary_key=True),
+    Column("sheet", String, primary_key=True),
+    Column("part", String, primary_key=True),
+    Column("kind", String, nullable=False),  # what is accepted: a finding, or an answer
+    Column("text", Text, nullable=False),  # the finding's sentence, or the answer's JSON
+    Column("share", Float),  # of the points; none: accepted no longer
+    Index("acceptance_sheet", "sheet"),
+)
+"""What counts for everybody from then on."""
+
+request = Table(
+    "request",
+    LEDGER,
+    _change(primary_key=True),
+    Column("student", String, primary_key=True),
+    Column("sheet", String, primary_key=True),
+    Column("part", String, primary_key=True),
+    Column("text", Text, nullable=False),
+    Index("request_sheet", "sheet", "student"),
+)
+"""What a student asks to have looked at again."""
+
+published = Table(
+    "published",
+    LEDGER,
+    _change(primary_key=True),
+    Column("student", String, primary_key=True),
+    Column("sheet", String, primary_key=True),
+    Column("result", Text, nullable=False),  # JSON
+    Index("published_sheet", "sheet", "student"),
+)
+"""Marks as students were told them, which stay until they are published again."""

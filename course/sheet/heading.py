@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from ...exercises.exercise import Rows
 from ..config import LimitsTable, Sheet, Student
 from ..escape import no_markup
+from ..times import rules_text
 from ..words import points_text
 from .assignment import Assignment
 from .given import unit_names
@@ -42,7 +43,19 @@ def heading(
     rules = f"{conventions(assignments)} {ROUNDING}"
     time = TIME.format(cell=limits.cell_seconds, notebook=limits.notebook_seconds)
     about = _about(course, sheet, student, assignments)
-    return "\n\n".join([title, about, f"{HANDING_IN} {time}", rules])
+    blocks = [title, about, own_rules(sheet), f"{HANDING_IN} {time}", rules]
+    return "\n\n".join(filter(None, blocks))
+
+
+def own_rules(sheet: Sheet) -> str:
+    """What an instructor wrote for this sheet, and when it is to be handed in; may be empty."""
+    return "\n\n".join(filter(None, [sheet.instructions.strip(), rules_text(sheet)]))
+
+
+def minutes_text(sheet: Sheet, assignments: Sequence[Assignment]) -> str:
+    """How long a sheet is said to take, as "90 minutes"."""
+    minutes = sheet.minutes or sum(one.exercise.minutes for one in assignments)
+    return f"{minutes} minutes"
 
 
 def solution_heading(
@@ -56,11 +69,10 @@ def solution_heading(
 
 def _about(course: str, sheet: Sheet, student: Student, assignments: Sequence[Assignment]) -> str:
     points = sum(one.exercise.points for one in assignments)
-    minutes = sum(one.exercise.minutes for one in assignments)
     name = no_markup(student.name) or student.id
     return (
         f"{course} · sheet `{sheet.name}` · **{name}** (`{student.id}`) · "
-        f"{points_text(points)} · about {minutes} minutes"
+        f"{points_text(points)} · about {minutes_text(sheet, assignments)}"
     )
 
 

@@ -32,7 +32,8 @@ def notebooks(
 ) -> tuple[bytes, bytes]:
     """What the student gets, and the worked solution, as the bytes of two notebooks.
 
-    Limits and packages travel with the sheet, so that a check uses what marking uses.
+    Limits, packages and what is adjusted travel with the sheet, so that a check uses what marking
+    uses.
 
     Raises:
         ExerciseError: an exercise fails on the student's numbers, or explains a part by no steps.
@@ -73,6 +74,9 @@ def handout_notebook(
     order = [one.exercise.slug for one in assignments]
     about = _about(sheet, student) | {"exercises": order, "numbers": numbers}
     about["limits"] = limits.model_dump()
+    adjusted = sheet.adjustments()
+    if adjusted:
+        about["adjusted"] = adjusted
     if packages and packages.allow:
         about["packages"] = packages.model_dump(mode="json")
     return notebook_file(cells, {KEY: about}, f"{sheet.name}/{student.id}")

@@ -25,6 +25,8 @@ MAX_BYTES = 25 << 20
 MAX_NOTEBOOK = 200 << 20  # outputs included, which are dropped before anything else
 MAX_BESIDE = 32 << 20  # of the files beside a notebook
 NOTEBOOK = ".ipynb"
+REQUEST = ".request.txt"
+"""How the files end in which students ask to have something looked at again."""
 OWN_FILE = "a submission takes a file of its own"
 Reader = Callable[[bytes, Sequence[Ask], Limits], dict[str, Raw]]
 READERS: dict[str, Reader] = {
@@ -176,7 +178,7 @@ def misnamed(folder: Path, student: str, sheets: Collection[str]) -> str:
     """The first of a student's files that is named after no sheet; empty when there is none."""
     known = {f"{sheet}{suffix}" for sheet, suffix in product(sheets, READERS)}
     for name in _visible_names(folder / "submitted" / student):
-        if name not in known:
+        if name not in known and not name.endswith(REQUEST):
             return name
     return ""
 

@@ -11,7 +11,14 @@ from ..config import Sheet, Student
 from ..escape import printable
 from ..sheet.assignment import Assignment, Figure
 from ..sheet.given import given_form, given_formulas
-from ..sheet.heading import ROUNDING, STACKED, conventions, row_orders
+from ..sheet.heading import (
+    ROUNDING,
+    STACKED,
+    conventions,
+    minutes_text,
+    own_rules,
+    row_orders,
+)
 from ..sheet.question import asked
 from ..words import points_text
 from .formula import formula
@@ -61,6 +68,9 @@ def handout_data(front: Front, assignments: Sequence[Assignment]) -> Data:
     """
     opening = EXAM if front.is_exam else HANDING_IN
     rules = f"{opening} {conventions(assignments)} {ROUNDING}"
+    own = own_rules(front.sheet)
+    if own:
+        rules = f"{own}\n\n{rules}"
     data = _document(front, assignments, rules)
     for one, shown in zip(assignments, data["exercises"], strict=True):
         for part, about in zip(one.exercise.asked, shown["parts"], strict=True):
@@ -110,7 +120,7 @@ def _document(front: Front, assignments: Sequence[Assignment], rules: str) -> Da
         "code": front.code,
         "points": points_text(points),
         "worth": f"{points:g}",
-        "minutes": sum(one.exercise.minutes for one in assignments),
+        "minutes": minutes_text(front.sheet, assignments),
         "rules": prose(rules),
         "exercises": exercises,
     }

@@ -37,7 +37,6 @@ FLIP = {1: ("Rx", "0"), -1: ("Rx", "pi")}  # of z of a joint, by its sense
 UP = np.array([0.0, 0.0, 1.0])
 NEAR = 2e-3  # how far rounded numbers may be from a known mistake that is followed or paid less
 OMEGA = 0.2  # share of the points that a wrong angular entry costs where the linear rows are right
-VIEW = (-75.0, 52.0)  # azimuth and elevation: from above, across both links
 
 
 def draw(rng: np.random.Generator) -> dict[str, Any]:
@@ -253,9 +252,12 @@ def drawn(arm: Arm) -> list[Drawing]:
     said = (
         "Home pose, q1 = q2 = 0, mounted at the angle beta, with the positive sense of each joint."
     )
-    alt = "Planar arm with two links and two revolute joints, seen from obliquely above. "
+    alt = (
+        "Planar arm with two links and two revolute joints, seen along their axes; "
+        "a dashed line shows where each angle is zero. "
+    )
     now = "The same arm at your q."
     return [
-        home.drawing(said, alt + said, tool="", lengths=lines, view=VIEW),
-        arm.drawing(now, alt + now, tool="", view=VIEW),
+        home.drawing(said, alt + said, tool="", lengths=lines),
+        arm.drawing(now, alt + now, tool=""),
     ]

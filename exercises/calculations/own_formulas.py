@@ -30,6 +30,7 @@ DETERMINANT = parse(
     "x11*(x22*x33 - x23*x32) - x12*(x21*x33 - x23*x31) + x13*(x21*x32 - x22*x31)", ENTRIES
 )
 
+KEPT = 32  # of one student's formulas, which marking asks for again and again
 JOINT_COLUMN = {"R": "theta", "P": "d"}
 
 
@@ -66,13 +67,20 @@ def jacobian_of_table(table: Table, robot: Robot) -> ExpressionArray:
     closed = closed_jacobian(robot)
     if table.rows == robot.table.rows:
         return closed
+    return _of_other_table(table.rows, table.kinds, robot)
 
-    names, general = _any_table(table.kinds)
-    cells = dict(zip(names, chain.from_iterable(table.rows), strict=True))
+
+@lru_cache(maxsize=KEPT)
+def _of_other_table(
+    rows: tuple[tuple[Expression, ...], ...], kinds: str, robot: Robot
+) -> ExpressionArray:
+    names, general = _any_table(kinds)
+    cells = dict(zip(names, chain.from_iterable(rows), strict=True))
     entries = tuple(entry.put(cells) for entry in general.entries)
-    return _not_easier(ExpressionArray(entries, general.shape), closed)
+    return _not_easier(ExpressionArray(entries, general.shape), closed_jacobian(robot))
 
 
+@lru_cache(maxsize=KEPT)
 def determinant_of(J: ExpressionArray, robot: Robot) -> ExpressionArray:
     """The determinant of the linear block of a Jacobian (6, 3), where it is the robot's task block.
 
@@ -87,6 +95,7 @@ def determinant_of(J: ExpressionArray, robot: Robot) -> ExpressionArray:
     return _not_easier(ExpressionArray((DETERMINANT.put(entries),), ()), closed)
 
 
+@lru_cache(maxsize=KEPT)
 def factors_of(determinant: ExpressionArray, robot: Robot) -> tuple[Expression, ...]:
     """The factors of the robot's own determinant; any other one as it is."""
     if same_formulas(determinant, closed_determinant(robot), robot.names).all():

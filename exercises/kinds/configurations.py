@@ -1,8 +1,8 @@
 """A list of configurations that a part's own check judges."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import Any
+from dataclasses import dataclass, replace
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -71,6 +71,10 @@ class Configurations(Kind):
     def rounded(self, value: Any) -> Any:
         """To the asked decimals."""
         return np.round(np.asarray(value), self.decimals)
+
+    def with_decimals(self, decimals: int) -> Self:
+        """The same with other decimals asked."""
+        return replace(self, decimals=decimals)
 
     def code(self, variable: str, value: Any) -> str:
         """An array with nine decimals."""

@@ -1,7 +1,7 @@
 """What every kind of answer brings: its words on a sheet; its values checked and written down."""
 
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -79,6 +79,10 @@ class Kind:
     def rounded(self, value: Any) -> Any:
         """The value to the decimals that are asked; what is not numbers stays as it is."""
         return value
+
+    def with_decimals(self, decimals: int) -> Self:
+        """The same with other decimals asked; itself where none are."""
+        return self
 
     def blank(self, variable: str) -> str:
         """Python of the answer's cell as it is handed out."""

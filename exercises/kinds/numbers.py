@@ -1,8 +1,8 @@
 """Numbers: a real array with a unit for every entry."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import Any
+from dataclasses import dataclass, replace
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -74,6 +74,10 @@ class Numbers(Kind):
     def rounded(self, value: Any) -> Any:
         """To the asked decimals."""
         return np.round(np.asarray(value), self.decimals)
+
+    def with_decimals(self, decimals: int) -> Self:
+        """The same with other decimals asked."""
+        return replace(self, decimals=decimals)
 
     def code(self, variable: str, value: Any) -> str:
         """An array with nine decimals."""

@@ -1,8 +1,8 @@
 """A Denavit-Hartenberg table."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from typing import Any, Literal
+from dataclasses import dataclass, replace
+from typing import Any, Literal, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -78,6 +78,10 @@ class TableOf(Kind):
     def paper(self) -> Paper:
         """A row for every joint."""
         return Paper(counted(len(self.kinds)), COLUMNS)
+
+    def with_decimals(self, decimals: int) -> Self:
+        """The same with other decimals asked."""
+        return replace(self, decimals=decimals)
 
     def declared(self, value: Any, v: Variant) -> Table:
         """A `Table`."""

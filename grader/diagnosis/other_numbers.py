@@ -6,7 +6,6 @@ unknown value follows from the answer; all other entries then have to agree.
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import partial
 
 import numpy as np
 
@@ -120,14 +119,15 @@ def _lines(steps: Steps, view: View, reference: Array) -> Iterator[Line]:
 
 
 def _circles(steps: Steps, view: View, reference: Array) -> Iterator[Circle]:
-    def turn(joint: int, switches: Switches) -> None:
-        switches.q[:, joint] = TURNS
+    turning = [i for i, kind in enumerate(steps.kinds) if kind == "R"]
 
-    for joint, kind in enumerate(steps.kinds):
-        if kind == "P":
-            continue
-        turned = view.of(changed(steps, view.setting, len(TURNS), partial(turn, joint)))
-        right, up, left = turned.reshape(len(TURNS), -1)
+    def turn(switches: Switches) -> None:
+        for place, joint in enumerate(turning):
+            switches.q[place * len(TURNS) : (place + 1) * len(TURNS), joint] = TURNS
+
+    turned = view.of(changed(steps, view.setting, len(turning) * len(TURNS), turn))
+    for joint, values in zip(turning, turned.reshape(len(turning), len(TURNS), -1), strict=True):
+        right, up, left = values
         middle = (right + left) / 2
         circle = Circle(OTHER_ANGLE.of(i=joint + 1), middle, right - middle, up - middle)
         own = steps.q[joint]

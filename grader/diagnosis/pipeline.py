@@ -194,15 +194,20 @@ def _jacobian(steps: Steps, switches: Switches, solved: Solved) -> Array:
 def _other_rates(switches: Switches, tool: Array, angular: Array) -> Array:
     """Angular rows as rates of a set of angles, where these are taken."""
     for code, letters in ANGLE_SETS.items():
-        for k in np.flatnonzero(switches.rates == code):
-            angular[k] = _angle_rates(tool[k, :3, :3], letters, angular[k])
+        chosen = np.flatnonzero(switches.rates == code)
+        if len(chosen):
+            angular[chosen] = _angle_rates(tool[chosen, :3, :3], letters, angular[chosen])
     return angular
 
 
-def _angle_rates(rotation: Array, letters: str, angular: Array) -> Array:
-    """Rows (n, 3) of angular velocity as rates of angles; not a number where there are none."""
+def _angle_rates(rotations: Array, letters: str, angular: Array) -> Array:
+    """Angular velocities (H, n, 3) as rates of angles; not a number where there are none."""
     try:
-        to_velocity = angular_velocity_map(angles_from_rotation(rotation, letters), letters)
-        return np.asarray(np.linalg.solve(to_velocity, angular.T).T, dtype=np.float64)
+        to_velocity = angular_velocity_map(angles_from_rotation(rotations, letters), letters)
+        rates = np.linalg.solve(to_velocity, angular.swapaxes(1, 2)).swapaxes(1, 2)
+        return np.asarray(rates, dtype=np.float64)
     except (KinegradeError, np.linalg.LinAlgError):
-        return np.full_like(angular, np.nan)
+        if len(angular) == 1:
+            return np.full_like(angular, np.nan)
+    each = [slice(place, place + 1) for place in range(len(angular))]
+    return np.concatenate([_angle_rates(rotations[one], letters, angular[one]) for one in each])

@@ -49,21 +49,24 @@ def find_view(
     `truth(setting)` are the right hypothesis alone, at as many places as there are references;
     `numbers` are printed vectors, such as joint rates, that a J may be multiplied with.
     """
+    allowed = [EQUAL * max(1.0, np.abs(reference).max()) for reference in references]
     for view in _views(references[0].shape, truth((0, 0))[0].steps.n, numbers):
-        if _agrees(view, truth(view.setting), references):
+        if _agrees(view, truth(view.setting), references, allowed):
             return view
     return None
 
 
-def _agrees(view: View, truth: Sequence[Solved], references: Sequence[Array]) -> bool:
-    for solved, reference in zip(truth, references, strict=True):
+def _agrees(
+    view: View, truth: Sequence[Solved], references: Sequence[Array], allowed: Sequence[float]
+) -> bool:
+    for solved, reference, most in zip(truth, references, allowed, strict=True):
         try:
             value = view.of(solved)[0]
         except (ValueError, IndexError, np.linalg.LinAlgError):
             return False
         if value.shape != reference.shape:
             return False
-        if not (np.abs(value - reference) <= EQUAL * max(1.0, np.abs(reference).max())).all():
+        if not (np.abs(value - reference) <= most).all():
             return False
     return True
 

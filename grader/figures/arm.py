@@ -17,13 +17,15 @@ def draw(drawing: Drawing, width: float = 420) -> str:
     return compose(drawing, width).svg(drawing.caption, drawing.alt)
 
 
-def compose(drawing: Drawing, width: float) -> Scene:
-    """The arm as a scene that can be looked into before it is written.
+def compose(drawing: Drawing, width: float, around: float = 0.0) -> Scene:
+    """The arm as a scene that can be looked into, or drawn into, before it is written.
+
+    There is room for `around` pixels to every side of the tool point.
 
     Raises:
         KinegradeError: `drawing.q` does not fit `drawing.chain`.
     """
-    arm, scene = pose(drawing, width), Scene(width)
+    arm, scene = pose(drawing, width, around), Scene(width)
     # What comes later finds its place beside what is there already.
     bodies = [draw_body(scene, joint) for joint in arm.joints]
     draw_base(scene, arm, bodies, arm.view.turn @ drawing.stands)
@@ -33,7 +35,7 @@ def compose(drawing: Drawing, width: float) -> Scene:
     for joint in arm.joints:
         draw_axis(scene, joint, bodies)
     for joint in arm.joints:
-        draw_sense(scene, joint, arrows=drawing.arrows)
+        draw_sense(scene, arm, joint, arrows=drawing.arrows)
     for triad in drawing.triads:
         draw_triad(scene, arm, triad, tips)
     for dimension in drawing.dimensions:

@@ -6,10 +6,11 @@ from math import hypot
 import numpy as np
 
 from ...exercises.drawing import Triad
+from .angles import draw_angle
 from .bodies import CLASS
 from .depth import outside
 from .labels import Label
-from .markup import pair, pairs, px
+from .markup import arrow_corners, pair, px
 from .pose import DrawnArm, DrawnJoint
 from .scene import Scene
 from .vectors import Array, along_line, every_pixel, norm, quarter_turned, spaced, unit
@@ -42,7 +43,7 @@ def draw_axis(scene: Scene, joint: DrawnJoint, bodies: Sequence[Array]) -> None:
             )
 
 
-def draw_sense(scene: Scene, joint: DrawnJoint, *, arrows: bool) -> None:
+def draw_sense(scene: Scene, arm: DrawnArm, joint: DrawnJoint, *, arrows: bool) -> None:
     """Draws the arrow of a joint's positive sense and puts its label there.
 
     Without `arrows` the label stands at the axis or beside the body.
@@ -50,6 +51,8 @@ def draw_sense(scene: Scene, joint: DrawnJoint, *, arrows: bool) -> None:
     centre = joint.centre[:2]
     if not arrows:
         spots = _beside_body(joint)
+    elif joint.kind == "R" and arm.flat:
+        spots = draw_angle(scene, arm, joint, SENSE["R"])
     elif joint.kind == "R":
         spots = _turning(scene, joint)
     else:
@@ -85,7 +88,7 @@ def _turning(scene: Scene, joint: DrawnJoint) -> Array:
         scene.stroke(points, 1.5, colour=colour, css="sense", group=group, halo=1.1)
 
     tip, before = ring[-1, :2], ring[-7, :2]
-    head = f'points="{_head(tip, tip - before, 7.0)}"'
+    head = f'points="{arrow_corners(tip, tip - before, 7.0)}"'
     scene.overlay(f'<polygon class="head" {head} fill="{colour}"/>', ring[-6:, :2], 4.0)
     scene.mark(ring[:, :2], 3.0)
     return ring[LABELLED, :2]
@@ -150,14 +153,7 @@ def draw_triad(scene: Scene, arm: DrawnArm, triad: Triad, tips: Array) -> None:
 
 def arrowhead(tip: Array, along: Array, size: float, fill: str) -> str:
     """An arrowhead as SVG, with its point at `tip` (2,), along `along` (2,), `size` pixels long."""
-    return f'<polygon points="{_head(tip, along, size)}" fill="{fill}"/>'
-
-
-def _head(tip: Array, along: Array, size: float) -> str:
-    """The corners of an arrowhead."""
-    u = unit(along)
-    foot, side = tip - size * u, 0.36 * size * quarter_turned(u)
-    return pairs(np.stack([tip, foot + side, foot - side]), " ")
+    return f'<polygon points="{arrow_corners(tip, along, size)}" fill="{fill}"/>'
 
 
 def _arrow(scene: Scene, start: Array, end: Array, thick: float, *, colour: str, css: str) -> None:
@@ -170,7 +166,7 @@ def _arrow(scene: Scene, start: Array, end: Array, thick: float, *, colour: str,
         return
     size = min(8.0, 0.6 * length)
     shaft = f'd="M{pair(a)}L{pair(b - 0.7 * size * unit(b - a))}"'
-    head = f'points="{_head(b, b - a, size)}"'
+    head = f'points="{arrow_corners(b, b - a, size)}"'
     svg = (
         f'<g class="{css}"><path {shaft} stroke="#fff" stroke-width="{px(thick + 2)}"/>'
         f'<polygon {head} fill="#fff" stroke="#fff" stroke-width="2"/>'

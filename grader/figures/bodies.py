@@ -15,6 +15,7 @@ ROD = "#c3ccd6"
 BASE = "#4a5361"
 GRIPPER = "#39404a"
 JOINT = {"R": "#e9a23b", "P": "#4fa79d"}
+END_ON = 0.95  # cosine of the angle at which a plate is seen from above
 CLASS = {"R": "revolute", "P": "prismatic"}
 
 
@@ -41,11 +42,13 @@ def draw_body(scene: Scene, joint: DrawnJoint) -> Array:
 def draw_base(scene: Scene, arm: DrawnArm, bodies: Sequence[Array], up: Array) -> None:
     """Draws the plate on which the arm stands, and the column on it, in the direction `up` (3,)."""
     r = arm.radius
+    # Seen from above it would lie under the whole of a joint's arrow.
+    wide = 1.7 * r if abs(float(up[2])) > END_ON else 3.1 * r
     top = arm.paths[0][0] + _drop(arm, up) * up
     plate = scene.tube(
         top - 0.6 * r * up,
         top,
-        3.1 * r,
+        wide,
         colour=BASE,
         css="base",
         group="base",

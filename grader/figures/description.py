@@ -8,6 +8,7 @@ import numpy as np
 from ...solutions.reach import Reach
 from ...solutions.singularity import RegionalArm, Values
 from ...solutions.workspace import LIMITS, SINGULAR, Section
+from .amounts import said_amounts
 from .joint_map import JointMap, short, sigma_unit, sign_rule
 
 PROVEN = 5e-3  # of the largest distance, which is printed to three digits
@@ -22,11 +23,10 @@ def description(
 ) -> str:
     """Sentences on what is singular and where, how far the tool gets, what bounds its workspace.
 
-    `values` are the lengths by name [m], `reached` the distances of the tool from axis 1 [m].
+    `values` are the parameters by name, `reached` the distances of the tool from axis 1 [m].
     """
     point = found.part.point
-    lengths = [f"{name} = {value:.5g} m" for name, value in values.items()]
-    sentences = [f"Singularities and workspace: {title} ({', '.join(lengths)})."]
+    sentences = [f"Singularities and workspace: {title} ({said_amounts(values)})."]
 
     first, second = found.free
     bound = f"{np.nanmax(cut.cells):.3g} {sigma_unit(found.part)}"

@@ -2,16 +2,10 @@
 """Figures of where a robot is singular and where its tool gets, with the finding in words."""
 
 from functools import lru_cache
-from io import BytesIO
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-import matplotlib as mpl
 import numpy as np
-from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.figure import Figure
 
-from ...solutions.errors import KinegradeError
-from ...solutions.expression import latex_name
 from ...solutions.reach import bounded_reach
 from ...solutions.singularity import (
     Parameters,
@@ -22,75 +16,81 @@ from ...solutions.singularity import (
     task_block,
     zero_set,
 )
-from ...solutions.workspace import Section, section
+from ...solutions.workspace import Section
+from .amounts import typeset_amounts
 from .description import description
 from .determinant_formula import determinant_formula
+from .formats import FigureError, suffix_of
 from .joint_map import JointMap
-from .panels import spatial_panels
-from .planar_panels import planar_panels
+from .panels import singular_panels, spatial_panels, workspace_panel
+from .plain_style import blank, plain_style, settled, written
+from .planar_panels import planar_panels, planar_singular_panels, ring_panel
+from .section_cells import section_of
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from matplotlib.figure import Figure
+
     from ...solutions.robots import Robot
 
+    Panels = Callable[[Figure, JointMap, Section, str | None], None]
+
+__all__ = ["FigureError", "describe", "figure", "joint_map", "picture"]
+
 SAMPLES = 181  # per axis of a joint map
-STYLE: Any = {
-    "font.family": "STIXGeneral",
-    "mathtext.fontset": "stix",
-    "font.size": 11,
-    "axes.titlesize": 12,
-    "legend.fontsize": 10,
-    "legend.frameon": False,
-    "hatch.linewidth": 0.6,
-    "svg.hashsalt": "kinegrade",
-    "svg.fonttype": "path",
+WIDE = 12  # inches of a figure whose title and lengths stand in one line
+LENGTH = 1.4  # inches that a length takes
+# Panels by kind, with width and height in inches: of an arm in space, and of a planar one.
+SPATIAL: "dict[str, tuple[Panels, float, float]]" = {
+    "": (spatial_panels, 12, 5.5),
+    "workspace": (workspace_panel, 6, 5.5),
+    "singularities": (singular_panels, 9, 5.5),
 }
-# What would differ between two writings of the same figure, by suffix.
-UNDATED = {".png": {"Software": None}, ".svg": {"Date": None}, ".pdf": {"CreationDate": None}}
+PLANAR: "dict[str, tuple[Panels, float, float]]" = {
+    "": (planar_panels, 12, 4.7),
+    "workspace": (ring_panel, 6, 5.2),
+    "singularities": (planar_singular_panels, 9, 5.3),
+}
 
 
-class FigureError(KinegradeError):
-    """A figure that cannot be drawn."""
-
-
-def figure(robot: "Robot", parameters: Parameters = None) -> Figure:
-    """The robot's singularities and workspace in two or three panels, 12 inches wide.
+def figure(robot: "Robot", parameters: Parameters = None, kind: str = "") -> "Figure":
+    """The robot's singularities and workspace in two or three panels, or one `kind` of them.
 
     Raises:
         FigureError: the robot has a single joint.
     """
     values = robot.values(parameters)
-    with mpl.rc_context(STYLE):
+    with plain_style():
         found, cut = _found(robot, tuple(values.items()))
         planar = found.part.chain.kinds == "RR" and cut.axes == ("x", "y")
-        draw_panels = planar_panels if planar else spatial_panels
-        height = 4.7 if planar else 5.5
-        drawn = Figure(figsize=(12, height), dpi=100, layout="constrained")
-        FigureCanvasAgg(drawn)
+        draw_panels, width, height = (PLANAR if planar else SPATIAL)[kind]
+        drawn = blank(width, height)
 
         draw_panels(drawn, found, cut, determinant_formula(robot, found, parameters))
-        lengths = [f"${latex_name(name)}={value:.5g}$" for name, value in values.items()]
-        drawn.suptitle(f"{robot.title}  ({',  '.join(lengths)} m)", fontsize=13)
-
-        # Ticks and layout settle here, inside the style; later draws repeat them.
-        drawn.draw_without_rendering()
-        drawn.set_layout_engine("none")
-    return drawn
+        drawn.suptitle(_title(robot.title, typeset_amounts(values), width), fontsize=13)
+        return settled(drawn)
 
 
-def picture(robot: "Robot", suffix: str, parameters: Parameters = None) -> bytes:
+def _title(title: str, amounts: list[str], width: float) -> str:
+    """The title with the lengths, which are on lines of their own where the figure is narrow."""
+    if width >= WIDE:
+        return f"{title}  ({',  '.join(amounts)})"
+    fitting = int(width / LENGTH)
+    starts = range(0, len(amounts), fitting)
+    rows = [",  ".join(amounts[start : start + fitting]) for start in starts]
+    listed = ",\n".join(rows)
+    return f"{title}\n({listed})"
+
+
+def picture(robot: "Robot", suffix: str, parameters: Parameters = None, kind: str = "") -> bytes:
     """The figure as a file that ends in .png, .svg or .pdf, the same bytes every time.
 
     Raises:
         FigureError: another suffix, or a robot of a single joint.
     """
-    kind = suffix.lower()
-    if kind not in UNDATED:
-        raise FigureError(f"A figure takes a name in .png, .svg or .pdf, got one in {suffix!r}.")
-    drawn = figure(robot, parameters)
-    file = BytesIO()
-    with mpl.rc_context(STYLE):
-        drawn.savefig(file, format=kind[1:], metadata=UNDATED[kind])
-    return file.getvalue()
+    ending = suffix_of(suffix)
+    return written(figure(robot, parameters, kind), ending)
 
 
 def describe(robot: "Robot", parameters: Parameters = None) -> str:
@@ -138,7 +138,7 @@ def joint_map(robot: "Robot", parameters: Parameters = None) -> JointMap:
 @lru_cache(maxsize=8)
 def _found(robot: "Robot", values: tuple[tuple[str, float], ...]) -> tuple[JointMap, Section]:
     """Both halves of a figure, kept for its description and its other formats."""
-    return joint_map(robot, dict(values)), section(robot, dict(values))
+    return joint_map(robot, dict(values)), section_of(robot, dict(values))
 
 
 def _span(part: RegionalArm, joint: int) -> tuple[float, float]:

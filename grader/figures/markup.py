@@ -6,7 +6,7 @@ from html import escape
 import numpy as np
 
 from .labels import SIZE, SUB, Placed
-from .vectors import Array, norm
+from .vectors import Array, norm, quarter_turned, unit
 
 LIGHT = np.array([-0.42, -0.55, 0.72])  # near enough a unit vector: from above, from the left
 ILLEGAL_IN_XML = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
@@ -27,6 +27,13 @@ def pair(p: Array) -> str:
 def pairs(points: Array, between: str) -> str:
     """The first two coordinates of each of `points` (k, 2 or 3)."""
     return between.join(pair(p) for p in points)
+
+
+def arrow_corners(tip: Array, along: Array, size: float) -> str:
+    """The corners of an arrowhead with its point at `tip` (2,), `size` pixels long."""
+    u = unit(along)
+    foot, side = tip - size * u, 0.36 * size * quarter_turned(u)
+    return pairs(np.stack([tip, foot + side, foot - side]), " ")
 
 
 def text_xml(text: str) -> str:

@@ -28,6 +28,7 @@ LINES = (
 )
 INK = "#1c1c1c"
 RIGHT_ANGLES = ("$0$", r"$\pi/2$", r"$\pi$", r"$3\pi/2$", r"$2\pi$")
+SHARES = (0.01, 0.05, 0.2, 0.5, 1.0)  # a square root is steep at its foot
 ROUND = (50, 40, 30, 20, 15, 10, 8, 6, 5, 4, 3, 2, 1)  # numbers that are read with ease
 
 
@@ -45,13 +46,14 @@ def angle_ticks(axis: "Axis", span: tuple[float, float]) -> None:
     axis.set_ticks(places, texts)
 
 
-def sigma_bar(ax: "Axes", image: "ScalarMappable", found: JointMap) -> None:
-    """Draws the scale of an `image` of sigma_min beside it."""
+def sigma_bar(
+    ax: "Axes", image: "ScalarMappable", found: JointMap, shares: tuple[float, ...] = SHARES
+) -> None:
+    """Draws the scale of an `image` of sigma_min beside it, ticked at `shares` of its top."""
     bar = ax.figure.colorbar(image, cax=beside(ax))
     top = float(image.get_clim()[1] or 1.0)
     step = 10 ** np.floor(np.log10(top / 4))
     round_top = max(k * step for k in ROUND if k * step <= top)
-    shares = (0.01, 0.05, 0.2, 0.5, 1.0)  # a square root is steep at its foot
     bar.set_ticks([0.0, *(round_top * share for share in shares)], labels=None)
     bar.ax.yaxis.set_major_formatter(lambda value, _: f"{value:.3g}")
     unit = sigma_unit(found.part).strip("()")

@@ -12,6 +12,7 @@ from ...solutions.kinematics import frames
 from ...solutions.singularity import Values, singular_values, task_block
 from ...solutions.workspace import LIMITS, Section, meridian
 from .joint_map import JointMap
+from .joint_map_panel import draw_joint_map
 from .panel_style import INK, LINES, angle_ticks, below, legend_below, sigma_bar, typeset
 from .section_panel import draw_section
 
@@ -38,6 +39,23 @@ def planar_panels(drawn: "Figure", found: JointMap, cut: Section, formula: str |
     _draw_ring(ring, found, cut)
     _draw_postures(postures, found)
     _draw_singular_values(curves, found, formula)
+
+
+def ring_panel(drawn: "Figure", found: JointMap, cut: Section, _: str | None) -> None:
+    """Draws the workspace of a planar arm alone."""
+    _draw_ring(drawn.subplots(), found, cut)
+
+
+def planar_singular_panels(
+    drawn: "Figure", found: JointMap, _: Section, formula: str | None
+) -> None:
+    """Draws where a planar arm is singular: the joint map, and the singular values over q2."""
+    drawn.set_layout_engine("constrained", rect=(0.0, 0.05, 1.0, 0.95))
+    left, right = drawn.subplots(1, 2)
+    norm = PowerNorm(0.5, vmin=0.0, vmax=float(found.sigma.max()))
+    draw_joint_map(left, found, norm)
+    left.set_box_aspect(1.0)
+    _draw_singular_values(right, found, formula)
 
 
 def _draw_ring(ax: "Axes", found: JointMap, cut: Section) -> None:
@@ -67,8 +85,10 @@ def _draw_postures(ax: "Axes", found: JointMap) -> None:
         ax.add_patch(Circle((0, 0), edge, fill=False, ec="#777777", ls=(0, (5, 3)), lw=0.9))
     for bend, bearing in POSTURES:
         q = np.array([0.0, stretched + bend])
-        tool = frames(found.part.chain, q)[-1, :2, 3]
-        q[0] = bearing - np.arctan2(tool[1], tool[0])
+        poses = frames(found.part.chain, q)
+        x, y = poses[-1, :2, 3]
+        sense = np.sign(poses[0, 2, 2])  # about an axis that points down, a turn goes the other way
+        q[0] = sense * (bearing - np.arctan2(y, x))
         corner = far * np.array([0.86, 1.22]) * np.sign([np.cos(bearing), np.sin(bearing)])
         _draw_posture(ax, found, q, corner)
 

@@ -8,10 +8,12 @@ import numpy as np
 
 from ...exercises.drawing import Drawing
 from ...solutions.kinematics import frames
+from .plane import normal
 from .vectors import Array, norm, spaced, unit
-from .view import USUAL_WIDTH, View, camera, fitted
+from .view import USUAL_WIDTH, View, fitted, looked_at
 
 GAP = 5.0  # [px] between two joints' bodies
+SQUARE = 0.9999  # cosine of the angle at which a plane still counts as seen square
 ALONG = np.array([-1.0, 0.0, 1.0])  # three points of a body on its axis, which stand for it
 
 
@@ -22,6 +24,7 @@ class DrawnJoint:
     Attributes:
         index: From 0.
         kind: "R" or "P".
+        value: How far it is turned or out [rad or m].
         origin: The origin (3,) of its frame [px].
         axes: The axes of its frame, the columns of (3, 3); it moves about or along the last.
         centre: The middle (3,) of its body, on that axis [px].
@@ -30,6 +33,7 @@ class DrawnJoint:
 
     index: int
     kind: str
+    value: float
     origin: Array
     axes: Array
     centre: Array
@@ -59,6 +63,7 @@ class DrawnArm:
         joints: In the order of the chain.
         tool: The axes of the tool frame, the columns of (3, 3).
         radius: That of a large joint [px].
+        flat: Whether it lies in a plane that is seen square.
     """
 
     view: View
@@ -66,6 +71,7 @@ class DrawnArm:
     joints: list[DrawnJoint]
     tool: Array
     radius: float
+    flat: bool
 
     @property
     def end(self) -> Array:
@@ -78,27 +84,32 @@ class DrawnArm:
         return 1.4 * self.radius
 
 
-def pose(drawing: Drawing, width: float) -> DrawnArm:
+def pose(drawing: Drawing, width: float, around: float = 0.0) -> DrawnArm:
     """The arm of `drawing` in camera coordinates, as large as a picture `width` pixels wide allows.
+
+    There is room for `around` pixels to every side of the tool point.
 
     Raises:
         KinegradeError: `drawing.q` does not fit `drawing.chain`.
     """
-    poses = frames(drawing.chain, np.asarray(drawing.q, dtype=np.float64))
+    q = np.asarray(drawing.q, dtype=np.float64)
+    poses = frames(drawing.chain, q)
     origins = np.vstack([np.zeros(3), poses[:, :3, 3]])
     along = np.vstack([[0.0, 0.0, 1.0], poses[:-1, :3, 2]])
     ahead = np.sum(np.diff(origins, axis=0) * along, axis=1)[:, None]
     elbows = origins[:-1] + ahead * along
 
-    turn = camera(*drawing.view)
-    view = fitted(drawing, np.vstack([origins, elbows]), turn, width)
+    turn = looked_at(drawing)
+    view = fitted(drawing, np.vstack([origins, elbows]), turn, width, around)
     corners = np.stack([origins[:-1], elbows, origins[1:]], axis=1)
     paths = [view.points(points) for points in corners]
 
     kinds = drawing.chain.kinds
     radius = _radius(paths, len(kinds), width / USUAL_WIDTH)
-    joints = _seated(kinds, paths, view.turn @ poses[:-1, :3, :3], radius)
-    return DrawnArm(view, paths, joints, view.turn @ poses[-1, :3, :3], radius)
+    joints = _seated(drawing, paths, view.turn @ poses[:-1, :3, :3], radius)
+    square = normal(drawing.chain, q)
+    flat = square is not None and abs(float(turn[2] @ square)) > SQUARE
+    return DrawnArm(view, paths, joints, view.turn @ poses[-1, :3, :3], radius, flat)
 
 
 def _radius(paths: Iterable[Array], joints: int, size: float) -> float:
@@ -110,11 +121,12 @@ def _radius(paths: Iterable[Array], joints: int, size: float) -> float:
     return float(np.clip(0.115 * length / joints, 8.5 * size, 13 * size))
 
 
-def _seated(kinds: str, paths: list[Array], axes: Array, radius: float) -> list[DrawnJoint]:
+def _seated(drawing: Drawing, paths: list[Array], axes: Array, radius: float) -> list[DrawnJoint]:
     """The joints with their bodies slid along their axes until they stand clear of one another.
 
     Joints that cannot move along a link of their own choose first; the rest make room.
     """
+    kinds = drawing.chain.kinds
     count = len(kinds)
     spans = [_span(paths[i], paths[i + 1], axes[i, :, 2]) for i in range(count)]
     room = [last - first for first, last in spans]
@@ -126,7 +138,8 @@ def _seated(kinds: str, paths: list[Array], axes: Array, radius: float) -> list[
         crowd = int(np.sum(np.linalg.norm(origins - origins[i], axis=1) < 2.2 * radius))
         if crowd > 1 and room[i] < 3 * radius:
             size *= 0.86
-        joints.append(DrawnJoint(i, kind, origins[i], axes[i], origins[i], size))
+        place = origins[i]
+        joints.append(DrawnJoint(i, kind, drawing.q[i], place, axes[i], place, size))
 
     seated: dict[int, DrawnJoint] = {}
     for i in sorted(range(count), key=lambda i: (room[i] > GAP, i == 0, i)):

@@ -5,8 +5,9 @@ from hashlib import blake2s
 import numpy as np
 
 from .depth import CELL, Item, by_depth, cells, depths, tube_planes, welded
-from .labels import Label, place
+from .labels import Label, Placed
 from .markup import label_svg, leader_svg, pairs, px, shade, text_xml, tint
+from .placing import place
 from .tube import face, paint, silhouette, tube_between
 from .vectors import Array, every_pixel
 
@@ -19,7 +20,8 @@ class Scene:
     """What is painted so far, `width` pixels wide and centred on the origin.
 
     `ink` counts what stands on each cell of a grid, for labels and arrows that keep clear of it;
-    `low` and `high` (2,) are the corners of what is painted.
+    `bodies` is 1 on the cells that a joint's body touches, where no label stands at all. `low` and
+    `high` (2,) are the corners of what is painted.
     """
 
     def __init__(self, width: float) -> None:
@@ -31,6 +33,7 @@ class Scene:
         self.gradients: list[str] = []
         self._half = int(1.2 * width / CELL) + 2
         self.ink: Array = np.zeros((2 * self._half, 2 * self._half))
+        self.bodies = np.zeros_like(self.ink)
         self.low = np.array([np.inf, np.inf])
         self.high = np.array([-np.inf, -np.inf])
 
@@ -150,12 +153,16 @@ class Scene:
         free = np.flatnonzero(self.ink_at(fine) == 0)
         return fine[free[0]] if len(free) else b
 
+    def placed(self) -> list[Placed]:
+        """The labels, each in its place."""
+        return place(self.labels, self.ink, self.bodies, self.width)
+
     def svg(self, title: str, description: str) -> str:
         """The picture, cut to what is in it.
 
         `title` and `description` are for those who cannot see it.
         """
-        placed = place(self.labels, self.ink, self.width)
+        placed = self.placed()
         boxes = np.array([label.box for label in placed]).reshape(-1, 2, 2)
         top = min(float(self.low[1]), float(boxes[:, 0, 1].min(initial=np.inf))) - 6
         bottom = max(float(self.high[1]), float(boxes[:, 1, 1].max(initial=-np.inf))) + 6
@@ -204,11 +211,20 @@ class Scene:
             front = np.array([[middle[2]]])
         self.items.append(Item(*svg, corner, front, group))
 
+        # What moves and what grips is worth more than a link: labels and arrows keep clear of it.
+        weight = 2.0 if group.startswith(("joint", "gripper")) else 1.0
+        self._count(self.ink, corner, front, weight)
+        if group.startswith("joint"):
+            # Larger by what the middle of a cell is away from its corner: every cell it touches.
+            touched = planes + np.array([0.0, 0.0, 0.0, 0.75 * CELL])
+            low, high = corners.min(0) - CELL, corners.max(0) + CELL
+            self._count(self.bodies, *depths(touched, low, high), 1.0)
+        self._stretch(corners)
+
+    def _count(self, grid: Array, corner: tuple[int, int], front: Array, weight: float) -> None:
+        """Raises the cells of `grid` that a solid of depth `front` covers to a weight."""
         rows, columns = np.nonzero(np.isfinite(front))
         row, column = rows + (corner[0] + self._half), columns + (corner[1] + self._half)
         inside = (np.minimum(row, column) >= 0) & (np.maximum(row, column) < 2 * self._half)
         row, column = row[inside], column[inside]
-        # What moves and what grips is worth more than a link: labels and arrows keep clear of it.
-        weight = 2.0 if group.startswith(("joint", "gripper")) else 1.0
-        self.ink[row, column] = np.maximum(self.ink[row, column], weight)
-        self._stretch(corners)
+        grid[row, column] = np.maximum(grid[row, column], weight)

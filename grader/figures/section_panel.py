@@ -11,6 +11,7 @@ from ...solutions.singularity import RegionalArm, Values
 from ...solutions.workspace import LIMITS, SINGULAR, Curve, Section
 from .joint_map import JointMap, short
 from .panel_style import INK, LINES, legend_below
+from .section_cells import shown_cells
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -37,7 +38,7 @@ LABELS = {
 
 def draw_section(ax: "Axes", found: JointMap, cut: Section, norm: "PowerNorm") -> None:
     """Draws the best sigma_min in each cell, and the curves that bound and cross the workspace."""
-    ax.imshow(cut.cells, origin="lower", extent=cut.extent, cmap="cividis", norm=norm)
+    ax.imshow(shown_cells(cut), origin="lower", extent=cut.extent, cmap="cividis", norm=norm)
     handles = _draw_curves(ax, found.part, cut)
     left, right, bottom, top = cut.extent
     pad = 0.04 * (top - bottom)

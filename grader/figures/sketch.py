@@ -11,7 +11,7 @@ from .markup import text_xml
 from .motion import Motion, Vector
 from .scene import FONTS
 from .vectors import Array, norm, quarter_turned, unit
-from .view import camera
+from .view import looked_at
 
 WIDTH, HEIGHT = 320.0, 300.0
 MARGIN = 34.0  # [px] round the arm and the tips of its vectors
@@ -26,7 +26,7 @@ def sketch(motion: Motion, title: str) -> str:
     """The arm of a motion with its vectors: broad and pale its own, thin what was handed in."""
     drawing = motion.drawing
     poses = frames(drawing.chain, np.asarray(drawing.q))
-    turn = camera(*drawing.view)
+    turn = looked_at(drawing)
     vectors = motion.vectors[:MOST]
     shafts = _shafts(vectors, turn)
 

@@ -5,9 +5,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...exercises.drawing import Drawing
+from ...solutions.kinematics import forward
+from .plane import view_of
 from .vectors import Array, cross, norm
 
 USUAL_WIDTH = 420.0  # [px] of a picture, for which rooms and radii are given
+FORESHORTENED = 0.45  # of its length, at which an arm seen end on is taken to appear
 UPRIGHT = (0.0, 0.0, 1.0)
 
 
@@ -33,6 +36,18 @@ class _Spot:
     high: Array
 
 
+def looked_at(drawing: Drawing) -> Array:
+    """The rotation (3, 3) from base to camera coordinates from which a drawing is seen.
+
+    Raises:
+        KinegradeError: `drawing.q` does not fit `drawing.chain`.
+    """
+    view = drawing.view
+    if view is None:
+        view = view_of(drawing.chain, np.asarray(drawing.q, dtype=np.float64))
+    return camera(*view)
+
+
 def camera(azimuth: float, elevation: float) -> Array:
     """The rotation (3, 3) from base to camera coordinates, for angles in degrees."""
     az, el = np.radians([azimuth, elevation])
@@ -41,12 +56,16 @@ def camera(azimuth: float, elevation: float) -> Array:
     return np.stack([right, -cross(towards, right), towards])
 
 
-def fitted(drawing: Drawing, points: Array, turn: Array, width: float) -> View:
+def fitted(drawing: Drawing, points: Array, turn: Array, width: float, around: float = 0.0) -> View:
     """The view in which an arm through `points` (k, 3) fills the picture, with what is round it.
 
-    `turn` (3, 3) is the rotation to camera coordinates, `width` that of the picture [px].
+    `turn` (3, 3) is the rotation to camera coordinates, `width` that of the picture [px], and
+    `around` the room to every side of the tool [px].
     """
     spots = _spots(drawing, points, turn)
+    tool = forward(drawing.chain, np.asarray(drawing.q, dtype=np.float64))[:3, 3]
+    reach = around * USUAL_WIDTH / width
+    spots.append(_Spot(tool, np.full(3, -reach), np.full(3, reach)))
     size = width / USUAL_WIDTH
     at = np.array([turn @ spot.place for spot in spots])
     low = np.array([spot.low for spot in spots]) * size
@@ -80,7 +99,9 @@ def _largest_scale(at: Array, low: Array, high: Array, width: float) -> float:
     `at` (k, 3) are the spots in camera directions [m], `low` and `high` (k, 3) their rooms [px].
     """
     extent = norm(at.max(0) - at.min(0))
-    scale = 0.8 * width / extent if extent else 1.0
+    # What an arm reaches towards the viewer takes no room: folded, or end on, it is drawn larger.
+    seen = max(norm(at[:, :2].max(0) - at[:, :2].min(0)), FORESHORTENED * extent)
+    scale = 0.8 * width / seen if extent else 1.0
     rooms = (width - 24.0 * width / USUAL_WIDTH, 1.05 * width)  # across and down
     for k, room in enumerate(rooms):
         apart = at[:, None, k] - at[None, :, k]

@@ -15,7 +15,8 @@ from ..reading.rounded import rounded_angles
 from ..reading.typed import typed
 from ..reading.typed_matrix import typed_matrix
 from ..reading.unreadable import Unreadable, clip, entry_name, misread
-from .marker import Array, Asked, Marker, Mask, Named, Wanted
+from .allowed import Array, Mask, exactly
+from .marker import Asked, Beside, Marker, Named, Wanted
 from .signs import said_of_signs
 
 NUMBERS_PUT_IN = 5e-3  # numbers of a sheet have two or three decimals
@@ -106,13 +107,13 @@ def _trivial(_: Formulas, wanted: Wanted, __: Variant) -> Mask:
     return np.array(constant).reshape(wanted.value.shape)
 
 
-def _arrays(asked: Asked, value: ExpressionArray) -> list[tuple[Array, Array, Array]]:
+def _arrays(asked: Asked, value: ExpressionArray) -> list[Beside]:
     """Numbers of both at a few points."""
     names = names_on_sheet(asked.answer.names, asked.v)
     theirs, ours = sampled(value, names), sampled(asked.wanted.value, names)
-    found: list[tuple[Array, Array, Array]] = []
+    found: list[Beside] = []
     for own, reference in zip(theirs, ours, strict=True):
-        found.append((own, reference, SAME * np.maximum(1.0, np.abs(reference))))
+        found.append((own, reference, exactly(SAME * np.maximum(1.0, np.abs(reference)))))
     return found
 
 

@@ -13,15 +13,16 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...exercises.answers import Variant
 from ...exercises.exercise import Fault
 from ..collecting.wire import Raw
+from .allowed import NOT_ALLOWED, Allowed, Array, Mask
 
-Array = NDArray[np.float64]
-Mask = NDArray[np.bool_]
+Beside = tuple[Array, Array, Allowed]
+"""Own and wanted numbers, and how far each may be off."""
 TRIVIAL = (-1.0, 0.0, 1.0)
+SURELY = 1e-6  # as near to one of those as a number can be said to be
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,12 +32,12 @@ class Wanted:
     Attributes:
         value: Of the declared kind: an array, a `Table`, an `ExpressionArray`, a letter, ...
         given: The earlier answers by name that it follows from: the reference's or the student's.
-        allowed: How far each entry may be off; of numbers alone, empty for any other kind.
+        allowed: How far each entry may be off; of numbers alone.
     """
 
     value: Any
     given: Mapping[str, Any]
-    allowed: Array
+    allowed: Allowed = NOT_ALLOWED
 
 
 @dataclass(frozen=True)
@@ -127,7 +128,7 @@ def _everything_counts(*_: Any) -> Mask:
     return np.zeros((), dtype=bool)
 
 
-def _no_arrays(*_: Any) -> Sequence[tuple[Array, Array, Array]]:
+def _no_arrays(*_: Any) -> Sequence[Beside]:
     return ()
 
 
@@ -208,7 +209,7 @@ class Marker:
 
     # What explains a wrong answer, the first that fits.
 
-    arrays: Callable[[Asked, Any], Sequence[tuple[Array, Array, Array]]] = _no_arrays
+    arrays: Callable[[Asked, Any], Sequence[Beside]] = _no_arrays
     """arrays(asked, value): own, wanted and allowed numbers in which a Presentation would show.
 
     It has to agree with all of them; a kind without any is not looked at for presentations.
@@ -233,8 +234,10 @@ class Marker:
     """priced(answer, value): whether a named mistake leaves points: nobody guesses such a value."""
 
 
-def is_trivial(numbers: Array, allowed: Array | float) -> Mask:
-    """Entries that are -1, 0 or 1, within what is `allowed` of each."""
-    close = np.asarray(np.maximum(allowed, 1e-6))
-    away = np.abs(numbers[..., None] - TRIVIAL)
-    return np.asarray((away <= close[..., None]).any(axis=-1))
+def is_trivial(numbers: Array, allowed: Allowed | None = None) -> Mask:
+    """Entries that are -1, 0 or 1, within what is allowed of each, and no less than 1e-6."""
+    away = np.min([np.abs(numbers - trivial) for trivial in TRIVIAL], axis=0)
+    close = np.less_equal(away, SURELY, dtype=bool)
+    if allowed is None:
+        return close
+    return np.logical_or(close, allowed.holds(away), dtype=bool)

@@ -18,7 +18,8 @@ from ..reading.arrays import (
     typed_block,
 )
 from ..reading.unreadable import Unreadable, clip, entry_name
-from .marker import Alone, Array, Asked, Marker, Mask, Named, Presentation, Wanted, is_trivial
+from .allowed import Array, Mask
+from .marker import Alone, Asked, Beside, Marker, Named, Presentation, Wanted, is_trivial
 from .signs import said_of_exchanged, said_of_one_entry, said_of_signs
 
 LENGTH = re.compile(r"m(/.*)?")  # what is 1000 times as large in millimetres: no area, and no mass
@@ -64,7 +65,7 @@ def _typed_array(raw: Raw, shape: tuple[int, ...], units: NDArray[np.str_]) -> A
 
 
 def _compared(_: Numbers, __: Variant, wanted: Wanted, value: Array) -> Mask:
-    return np.less_equal(np.abs(value - wanted.value), wanted.allowed, dtype=bool)
+    return wanted.allowed.holds(np.abs(value - wanted.value))
 
 
 def _handed_in(_: Numbers, value: Any, __: Variant) -> Raw:
@@ -87,7 +88,7 @@ def _trivial(_: Numbers, wanted: Wanted, __: Variant) -> Mask:
     return is_trivial(np.asarray(wanted.value), wanted.allowed)
 
 
-def _arrays(asked: Asked, value: Array) -> list[tuple[Array, Array, Array]]:
+def _arrays(asked: Asked, value: Array) -> list[Beside]:
     return [(value, asked.wanted.value, asked.wanted.allowed)]
 
 
@@ -126,16 +127,16 @@ def _found(asked: Asked, value: Array, right: Mask) -> Iterator[Named]:
     wanted, decimals = asked.wanted, asked.answer.decimals
 
     def agrees(own: Array) -> bool:
-        return bool((np.abs(own - wanted.value) <= wanted.allowed).all())
+        return wanted.allowed.holds_everywhere(np.abs(own - wanted.value))
 
     in_degrees = asked.in_degrees()
-    if in_degrees is not None and bool((np.abs(value - in_degrees) <= wanted.allowed).all()):
+    if in_degrees is not None and wanted.allowed.holds_everywhere(np.abs(value - in_degrees)):
         yield Named(TAKEN_AS_DEGREES, "presentation")
     elif _too_few_decimals(asked.answer, wanted.value, value):
         sentence = f"It agrees after rounding to fewer decimals; {decimals} are asked."
         yield Named(sentence, "slip", key="decimals")
     else:
-        reversed_sign = np.abs(value + wanted.value) <= wanted.allowed
+        reversed_sign = wanted.allowed.holds(np.abs(value + wanted.value))
         signs = [*said_of_signs(~right & reversed_sign, ~right)]
         yield from signs
         yield from said_of_exchanged(agrees, value)
@@ -150,7 +151,7 @@ def _alone(answer: Numbers) -> Alone:
 
 def _priced(answer: Numbers, value: Array) -> bool:
     """Whether there are decimals, and a number that is none of -1, 0 and 1."""
-    return answer.decimals > 0 and not is_trivial(value, 0.0).all()
+    return answer.decimals > 0 and not is_trivial(value).all()
 
 
 def _too_few_decimals(answer: Numbers, reference: Array, value: Array) -> bool:

@@ -225,7 +225,7 @@ def _in_degrees(value: Table) -> str:
 
 
 def _trivial(answer: TableOf, wanted: Wanted, v: Variant) -> Mask:
-    return is_trivial(answer.pictured(wanted.value, v), 0.0)
+    return is_trivial(answer.pictured(wanted.value, v))
 
 
 def _found(asked: Asked, value: Table, right: Mask) -> Iterator[Named]:

@@ -130,7 +130,7 @@ class AnswerKey:
 
     def _with_tolerance(self, part: Part, value: Any, given: Given) -> Wanted:
         if not isinstance(part.answer, Numbers):
-            return Wanted(remembering(value), given, np.zeros(0))
+            return Wanted(remembering(value), given)
         return Wanted(value, given, tolerance(self.exercise, part, self.v, given, value))
 
     def earning(self, part: Part) -> Mask:

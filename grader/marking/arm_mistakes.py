@@ -16,7 +16,7 @@ from ...solutions.expression_array import POINTS, sample, sampled
 from ..diagnosis.bank import Bank
 from ..diagnosis.explain import Alternatives, Seen, cheapest, explained, hinted
 from ..diagnosis.steps import steps_of
-from ..kinds.marker import Named
+from ..kinds.marker import Beside, Named
 
 Array = NDArray[np.float64]
 PLACES = 3  # postures at which formulas are looked at
@@ -28,7 +28,7 @@ class Answered:
     """An answer: its kind, and own, wanted and allowed numbers at each point of comparison."""
 
     answer: Any
-    arrays: Sequence[tuple[Array, Array, Array]]
+    arrays: Sequence[Beside]
 
     @property
     def decimals(self) -> int | None:
@@ -39,7 +39,7 @@ class Answered:
     def seen(self) -> Seen:
         """Its numbers at the places of the bank."""
         arrays = self.arrays[:PLACES]
-        return Seen([own for own, _, _ in arrays], [allowed for _, _, allowed in arrays])
+        return Seen([own for own, _, _ in arrays], [allowed.exact for _, _, allowed in arrays])
 
 
 class ArmMistakes:

@@ -22,6 +22,8 @@ def compare(key: AnswerKey, part: Part, wanted: Wanted, value: Any) -> Compariso
 
 def shared(key: AnswerKey, part: Part, right: Mask) -> float:
     """Share of the points that these right entries earn."""
+    if right.all():
+        return 1.0
     earning = np.broadcast_to(key.earning(part), right.shape)
     if marker_of(part.answer).by_rows:
         return fraction(right.T, earning.T, part.credit)

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from ...exercises.exercise import Part, Rows
 from ..diagnosis.explain import Alternatives
+from ..kinds.allowed import Allowed
 from ..kinds.marker import Asked, Named, Presentation, Wanted
 from ..kinds.markers import marker_of
 from .answer_key import AnswerKey
@@ -121,9 +122,7 @@ def _asked(key: AnswerKey, part: Part, wanted: Wanted) -> Asked:
     return Asked(part.answer, key.v, wanted, lambda: key.in_degrees.get(part.variable))
 
 
-def _agree(value: Array, seen: Array | None, allowed: Array) -> bool:
-    return (
-        seen is not None
-        and seen.shape == value.shape
-        and bool((np.abs(value - seen) <= allowed).all())
-    )
+def _agree(value: Array, seen: Array | None, allowed: Allowed) -> bool:
+    if seen is None or seen.shape != value.shape:
+        return False
+    return allowed.holds_everywhere(np.abs(value - seen))

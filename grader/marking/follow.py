@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from ...exercises.answers import Variant
 from ...exercises.exercise import Exercise, Numbers, Part
 from ...solutions.expression_array import ExpressionArray, sample
+from ..kinds.allowed import Allowed
 
 Others = Mapping[str, Mapping[str, Any]]
 """Student to the recorded reference answers of that student's variant of the same exercise."""
@@ -45,11 +46,9 @@ def is_trivial(reference: Any, own: Any) -> bool:
     return 2 * different_numbers(own) < different_numbers(reference)
 
 
-def zeros_pass(
-    wanted: NDArray[np.float64], allowed: NDArray[np.float64], earning: NDArray[np.bool_]
-) -> bool:
+def zeros_pass(wanted: NDArray[np.float64], allowed: Allowed, earning: NDArray[np.bool_]) -> bool:
     """Whether a matrix of zeros would agree with many of the entries that carry points."""
-    return bool((np.abs(wanted) <= allowed)[earning].mean() > MOST_ZEROS)
+    return bool(allowed.holds(np.abs(wanted))[earning].mean() > MOST_ZEROS)
 
 
 def owner_of(part: Part, answer: Any, others: Others) -> str:

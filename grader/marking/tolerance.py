@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...exercises.exercise import Exercise, Given, Numbers, Part, Variant, solve
+from ..kinds.allowed import Allowed, exactly
 
 DRAWS = 64
 CAP = 0.02  # of the block's scale; beyond it, zero would pass for small entries
@@ -12,27 +13,35 @@ FLOOR = 1e-9
 
 def tolerance(
     exercise: Exercise, part: Part, v: Variant, given: Given, reference: NDArray[np.float64]
-) -> NDArray[np.float64]:
+) -> Allowed:
     """Allowed absolute error of every entry of numbers, in the entry's own unit.
 
     The worst change of the answer over 64 roundings of what the part needs, times 1.5, plus a unit
     of the last asked decimal, so that cutting off is as good as rounding; at least 1e-9 of the
-    block's scale, at most 0.02 of it. `reference` follows from `given`.
+    block's scale, at most 0.02 of it. The roundings are only solved where an answer lies between
+    what is allowed without and what is never allowed. `reference` follows from `given`.
     """
     answer = part.answer
     if not isinstance(answer, Numbers):
         raise TypeError(
             f"{part.variable}: a tolerance is for numbers, not for {type(answer).__name__}"
         )
+    factor = part.tolerance_factor
     if part.tolerance is not None:
-        return np.full(reference.shape, part.tolerance)
+        return exactly(np.full(reference.shape, factor * part.tolerance))
     block = block_scale(answer, reference, exercise.scale(v))
     unit = 10.0**-answer.decimals
-    # A value cut off at the asked decimals is off by a unit and an error of binary fractions.
-    return np.clip(
-        1.5 * _spread(exercise, part, v, given, reference) + 1.001 * unit,
-        FLOOR * block,
-        CAP * block,
+
+    def computed(worst: NDArray[np.float64] | float) -> NDArray[np.float64]:
+        # A value cut off at the asked decimals is off by a unit and an error of binary fractions.
+        return factor * np.clip(1.5 * worst + 1.001 * unit, FLOOR * block, CAP * block)
+
+    if not _roundings(exercise, part, given):
+        return exactly(computed(0.0))
+    return Allowed(
+        computed(0.0),
+        factor * CAP * block,
+        lambda: computed(_spread(exercise, part, v, given, reference)),
     )
 
 
@@ -41,8 +50,6 @@ def _spread(
 ) -> NDArray[np.float64]:
     worst = np.zeros(reference.shape)
     steps = _roundings(exercise, part, given)
-    if not steps:
-        return worst
     rng = np.random.default_rng(0)
     for _ in range(DRAWS):
         rounded = {

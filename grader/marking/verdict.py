@@ -27,10 +27,14 @@ ASIDES = (FOLLOWS, ENTRIES_FOLLOW, COMPARED, NOTHING_FOLLOWS, CHARGED, GUESSABLE
 
 @dataclass(frozen=True)
 class Finding:
-    """One sentence about an answer. `private` ones are for the instructor only."""
+    """One sentence about an answer.
+
+    `private` ones are for the instructor only; what is `by_person` was written by a marker.
+    """
 
     text: str
     private: bool = False
+    by_person: bool = False
 
 
 @dataclass(frozen=True)

@@ -62,7 +62,7 @@ def passes(key: AnswerKey, part: Part, wanted: Wanted, value: Any) -> bool:
 def _agree(key: AnswerKey, part: Part, wanted: Wanted, value: Any) -> bool:
     """Whether two answers are equal by the kind's own comparison; of numbers, entry by entry."""
     if isinstance(part.answer, Numbers):
-        return bool((np.abs(value - wanted.value) <= wanted.allowed).all())
+        return wanted.allowed.holds_everywhere(np.abs(value - wanted.value))
     try:
         return judged(key, replace(part, check=None), wanted, value).all_right
     except Exception:  # noqa: BLE001 - what cannot be compared is not equal

@@ -6,12 +6,14 @@ Places are numbered along the arm: 0 is the base, 1 to n are the joints, n + 1 i
 
 from __future__ import annotations
 
+from contextlib import suppress
 from itertools import product
 from typing import TYPE_CHECKING
 
 import sympy as sp
 
 from ..symbolic import IDENTITY, Rows, rotation, times
+from .length import TooLong
 from .polynomial import ZERO, Polynomial, polynomial
 
 if TYPE_CHECKING:
@@ -28,6 +30,8 @@ Line = tuple[Vector, Vector]  # the direction z and the origin of an axis
 LINEAR = (0, 1, 2)
 ANGULAR = (3, 4, 5)
 SPACE = (*LINEAR, *ANGULAR)
+LONGEST = 2000  # letters and numbers of the axis and the origin of a joint, written out
+WORTH = 3  # times the shortest axes: those seen from further away make no short block
 ORIGIN = (ZERO, ZERO, ZERO)
 
 
@@ -37,6 +41,11 @@ def task_columns(robot: Robot) -> list[Block]:
     There is one block, or two where a spherical wrist splits J. A determinant of three linear or
     three angular rows is the same in all axes, one of all six rows also for all points that move
     with the tool. Any other is taken in base axes for the tool point.
+
+    Joints with `offsets` stand for the sums of both.
+
+    Raises:
+        TooLong: The axes are too oblique to be written down from anywhere.
     """
     jacobians = _jacobians(robot)
     if robot.n == 6 and robot.task_rows == SPACE:
@@ -57,13 +66,29 @@ def _jacobians(robot: Robot) -> list[Block]:
         points = everywhere
 
     motions = _motions(robot)
+    seen = _seen(motions, axes)
+    lengths = [_length_of_lines(lines) for lines in seen]
     found: list[Block] = []
-    for place in axes:
-        lines = _seen_from(motions, place)
-        for point in points:
-            J = _jacobian(robot.kinds, lines, point)
-            found.append(J)
+    for lines, length in zip(seen, lengths, strict=True):
+        if length <= WORTH * min(lengths):
+            found += [_jacobian(robot.kinds, lines, point) for point in points]
     return found
+
+
+def _seen(motions: Sequence[Sequence[Motion]], axes: Iterable[int]) -> list[list[Line]]:
+    """All lines in the frame at each place, where they are not too long."""
+    found: list[list[Line]] = []
+    for place in axes:
+        with suppress(TooLong):
+            found.append(_seen_from(motions, place))
+    if not found:
+        raise TooLong
+    return found
+
+
+def _length_of_lines(lines: Sequence[Line]) -> int:
+    """How long the axes of the joints are, written out."""
+    return _length([[*z, *o] for z, o in lines[1:-1]])
 
 
 def _is_split(J: Block) -> bool:
@@ -88,7 +113,7 @@ def _part(J: Block, rows: Iterable[int], columns: Iterable[int]) -> Block:
     return part
 
 
-def _length(block: Block) -> int:
+def _length(block: Sequence[Sequence[Polynomial]]) -> int:
     """How long a block is, written out: the letters and the numbers of all its entries."""
     length = 0
     for row in block:
@@ -105,13 +130,33 @@ def _motions(robot: Robot) -> list[list[Motion]]:
     axis of the joint.
     """
     between = [_in_sympy(robot.base_steps)]
+    without = offsets(robot)
     for name, steps in zip(robot.joints, robot.steps, strict=True):
         motions = _in_sympy(steps)
-        at = _first_with(sp.Symbol(name, real=True), motions)
+        joint = sp.Symbol(name, real=True)
+        at = _first_with(joint, motions)
+        if joint in without:
+            motions[at] = ("Rz", joint)
         between[-1] += motions[:at]
         between.append(motions[at:])
     between[-1] += _in_sympy(robot.tool_steps)
     return between
+
+
+def offsets(robot: Robot) -> dict[sp.Symbol, sp.Expr]:
+    """Oblique angles that are added to turning joints, such as theta2 to q2.
+
+    The determinant is written down without them and holds for the sums: q2 then stands for both.
+    """
+    found: dict[sp.Symbol, sp.Expr] = {}
+    for name, steps in zip(robot.joints, robot.steps, strict=True):
+        joint = sp.Symbol(name, real=True)
+        for motion, amount in _in_sympy(steps):
+            if motion == "Rz" and joint in amount.free_symbols:
+                offset = amount - joint
+                if not (2 * offset / sp.pi).is_integer:
+                    found[joint] = offset
+    return found
 
 
 def _in_sympy(steps: Iterable[tuple[str, Expression]]) -> list[Motion]:
@@ -146,7 +191,10 @@ def _walk(rows: Iterable[Sequence[Motion]]) -> list[Line]:
                 p = _moved(p, _column(R, "xyz".index(motion[1])), polynomial(amount))
             else:
                 R = _turned(R, motion[1], amount)
-        reached.append((_column(R, 2), p))
+        line = (_column(R, 2), p)
+        if _length(line) > LONGEST:
+            raise TooLong
+        reached.append(line)
     return reached
 
 

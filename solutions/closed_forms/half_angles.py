@@ -16,14 +16,16 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 from sympy.polys.rings import PolyRing
-from sympy.simplify.fu import TR8
 
-from .polynomial import Polynomial, polynomial, reduced
+from .length import TooLong
+from .polynomial import Polynomial, polynomial
+from .readable import shortest
 
 if TYPE_CHECKING:
     from collections.abc import Collection, Iterator
 
-MANY = 8  # terms above which products of single angles are left nested
+LONGEST = 3000  # terms of a polynomial that is factored: a few seconds
+LONGEST_FACTOR = 300  # terms of a factor that is brought back to cosines and sines
 
 # How often each irreducible polynomial in t and lengths divides; an angle q stands for t = infinity
 Powers = Counter[Any]
@@ -35,6 +37,7 @@ class HalfAngles:
     def __init__(self, angles: Collection[sp.Symbol]) -> None:
         self.angles = tuple(angles)
         self.tangents = tuple(sp.Symbol(f"t_{angle.name}", real=True) for angle in angles)
+        self._degrees_of: dict[Any, tuple[int, ...]] = {}  # of factors found, in each tangent
         self._angle_of: dict[Any, sp.Symbol] = {}
         for angle in self.angles:
             self._angle_of[sp.cos(angle)] = angle
@@ -50,6 +53,10 @@ class HalfAngles:
         With degree d in cosine and sine of an angle, the polynomial times (1 + t^2)^d is a form of
         degree 2 d; what t misses of that degree are zeros at infinity, q = pi, and counted under
         the angle. Factors 1 + t^2 have no zeros and are left out on both sides.
+
+        Raises:
+            TooLong: The polynomial in t has more than `LONGEST` terms, or one of its factors has
+                more than `LONGEST_FACTOR`.
         """
         of = of.gathered()
         if of.terms.keys() <= {()}:  # rings and their factors take one letter at least
@@ -57,14 +64,21 @@ class HalfAngles:
 
         degrees = self._degrees(of)
         form = self._form(of, degrees)
+        if len(form) > LONGEST:
+            raise TooLong
         number, parts = form.factor_list()
+        if max((len(part) for part, _ in parts), default=0) > LONGEST_FACTOR:
+            raise TooLong
 
         tangents = form.ring.gens[: len(self.angles)]
         without_zeros = [1 + t**2 for t in tangents]
         powers: Powers = Counter()
         for part, count in parts:
-            if part not in without_zeros:
-                powers[part.as_expr()] += count
+            if part in without_zeros:
+                continue
+            expression = part.as_expr()
+            powers[expression] += count
+            self._degrees_of[expression] = tuple(max(part.degree(t), 0) for t in tangents)
         for q, t in zip(self.angles, tangents, strict=True):
             found = sum(part.degree(t) * count for part, count in parts)
             at_infinity = 2 * degrees[q] - found
@@ -143,8 +157,7 @@ class HalfAngles:
         """The degree of a factor in tangent i; infinity is a simple zero of its own angle."""
         if part in self.angles:
             return int(part == self.angles[i])
-        tangent: Any = self.tangents[i]
-        return int(sp.degree(part, tangent))
+        return self._degrees_of[part][i]
 
     def _odd(self, part: Any) -> set[int]:
         """The tangents in which the degree of a factor is odd."""
@@ -189,10 +202,7 @@ class HalfAngles:
             if half:
                 expression = _by_angle(expression, q, t, half)
 
-        summed_angles = TR8(sp.expand(expression))  # cos a cos b = (cos(a - b) + cos(a + b)) / 2
-        number, primitive = sp.expand(summed_angles).as_content_primitive()
-        if len(sp.Add.make_args(primitive)) > MANY:
-            number, primitive = reduced(polynomial(expression)).expression().as_content_primitive()
+        number, primitive = shortest(polynomial(expression), self.angles).as_content_primitive()
         if primitive.could_extract_minus_sign():
             return -number, -primitive
         return number, primitive

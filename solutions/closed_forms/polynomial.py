@@ -17,9 +17,18 @@ from .monomial import Monomial, monomial_of, product_of
 from .nested import nested
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Collection, Iterable
 
-__all__ = ["ONE", "ZERO", "Monomial", "Polynomial", "polynomial", "reduced", "total"]
+__all__ = [
+    "ONE",
+    "ZERO",
+    "Monomial",
+    "Polynomial",
+    "polynomial",
+    "reduced",
+    "total",
+    "without_squares",
+]
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,15 +107,28 @@ def polynomial(expression: Any) -> Polynomial:
 
 def total(terms: Iterable[Polynomial]) -> Polynomial:
     """Sum of polynomials."""
-    result = ZERO
+    summed: dict[Monomial, Any] = {}
     for term in terms:
-        result = result + term
-    return result
+        for monomial, coefficient in term.terms.items():
+            summed[monomial] = summed.get(monomial, 0) + coefficient
+    return _without_zeros(summed)
 
 
 def reduced(sum_of_products: Polynomial) -> Polynomial:
     """Polynomial with 1 - cos^2 for every sin^2 of the same angle."""
-    return total(_of_first_degree(m, c) for m, c in sum_of_products.terms.items())
+    sines = {letter for letter in sum_of_products.letters() if isinstance(letter, sp.sin)}
+    return without_squares(sum_of_products, sines)
+
+
+def without_squares(sum_of_products: Polynomial, functions: Collection[Any]) -> Polynomial:
+    """Polynomial in which none of these sines and cosines has a power above the first.
+
+    A square is one less the square of the same angle's other function.
+    """
+    if not functions:
+        return sum_of_products
+    terms = sum_of_products.terms.items()
+    return total(_of_first_degree(m, c, functions) for m, c in terms)
 
 
 def _without_zeros(terms: dict[Monomial, Any]) -> Polynomial:
@@ -128,12 +150,14 @@ def _of_product(term: Any) -> Polynomial:
     return Polynomial({monomial_of(letters): coefficient})
 
 
-def _of_first_degree(monomial: Monomial, coefficient: Any) -> Polynomial:
-    """A term in which no sine is left with a power above the first."""
+def _of_first_degree(
+    monomial: Monomial, coefficient: Any, functions: Collection[Any]
+) -> Polynomial:
+    """A term in which none of the functions is left with a power above the first."""
     kept: list[Any] = []
     squares: list[Polynomial] = []
     for letter, power in Counter(monomial).items():
-        if power > 1 and isinstance(letter, sp.sin):
+        if power > 1 and letter in functions:
             pairs, single = divmod(power, 2)
             squares += [_squared(letter)] * pairs
             kept += [letter] * single
@@ -147,9 +171,10 @@ def _of_first_degree(monomial: Monomial, coefficient: Any) -> Polynomial:
 
 
 @cache
-def _squared(sine: Any) -> Polynomial:
-    cosine = sp.cos(sine.args[0])
-    return Polynomial({(): 1, (cosine, cosine): -1})
+def _squared(function: Any) -> Polynomial:
+    (angle,) = function.args
+    other = sp.cos(angle) if isinstance(function, sp.sin) else sp.sin(angle)
+    return Polynomial({(): 1, (other, other): -1})
 
 
 @cache

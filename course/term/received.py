@@ -1,4 +1,4 @@
-"""submitted/received.csv: when each file came in, as the system says that it came from.
+"""When files were handed in: as submitted/received.csv says, else by the time of the file.
 
 A file is named as it lies in submitted/<student>/, also one that a newer one replaced.
 """
@@ -7,12 +7,13 @@ import csv
 import io
 from collections.abc import Iterable
 from dataclasses import dataclass
-from datetime import datetime
+from datetime import UTC, datetime, tzinfo
 from pathlib import Path
 
 from ..errors import CourseError
 from ..files import write_atomically
 from ..text_file import csv_rows, text_of
+from ..times import read_time
 
 FILE = "received.csv"
 COLUMNS = ("student", "sheet", "file", "received")
@@ -28,8 +29,10 @@ class Receipt:
     received: datetime
 
 
-def read_receipts(folder: Path) -> list[Receipt]:
+def read_receipts(folder: Path, zone: tzinfo = UTC) -> list[Receipt]:
     """What submitted/received.csv of a course folder says; nothing where it is not there.
+
+    `zone` is that of times that name none.
 
     Raises:
         CourseError: a line of it cannot be meant.
@@ -46,23 +49,18 @@ def read_receipts(folder: Path) -> list[Receipt]:
     for row in rows:
         cells = dict(zip(columns, map(str.strip, row.cells), strict=False))
         if any(cells.values()):
-            found.append(_receipt(f"{path}, line {row.first}", cells))
+            found.append(_receipt(f"{path}, line {row.first}", cells, zone))
     return found
 
 
-def _receipt(place: str, cells: dict[str, str]) -> Receipt:
+def _receipt(place: str, cells: dict[str, str], zone: tzinfo) -> Receipt:
     missing = [column for column in COLUMNS if not cells.get(column)]
     if missing:
         raise CourseError(f"{place}: {missing[0]} is missing; a line takes {','.join(COLUMNS)}")
     try:
-        received = datetime.fromisoformat(cells["received"])
-    except ValueError:
-        received = None
-    if received is None or received.tzinfo is None:
-        raise CourseError(
-            f"{place}: received takes a time with its zone such as 2026-11-23T23:59:00+01:00, "
-            f"got {cells['received']!r}"
-        )
+        received = read_time(cells["received"], zone)
+    except CourseError as error:
+        raise CourseError(f"{place}: {error}") from error
     return Receipt(cells["student"], cells["sheet"], cells["file"], received)
 
 
@@ -76,3 +74,8 @@ def write_receipts(folder: Path, receipts: Iterable[Receipt]) -> None:
     path = folder / "submitted" / FILE
     if lines and not (path.exists() and path.read_bytes() == out.getvalue().encode()):
         write_atomically(path, out.getvalue())
+
+
+def file_time(path: Path) -> datetime:
+    """When a file was last written."""
+    return datetime.fromtimestamp(path.stat().st_mtime, UTC)

@@ -1,0 +1,1 @@
+"""What a term brings to marks: people's decisions, deadlines, attempts, publication."""
