@@ -48,17 +48,28 @@ def collect(
         str, typer.Option("--sheet", help="The sheet, for files that do not say which.")
     ] = "",
     zone: ZoneOption = "",
+    received: Annotated[
+        str,
+        typer.Option(
+            "--received",
+            help="When files came in of which the download says no time and not that they are "
+            "late, such as 2026-11-23T23:59.",
+        ),
+    ] = "",
     folder: CourseOption = Path(),
 ) -> None:
     """Take what was handed in from a system's download into submitted/, with the times."""
     from .config import read_course
+    from .exchange.collection import Wanted
     from .exchange.collection import collect as take_in
-    from .exchange.moments import zone_named
+    from .exchange.moments import time_given, zone_named
 
     course = read_course(folder)
     if not zone and "timezone" in course.settings.model_fields_set:
         zone = course.settings.timezone
-    taken = take_in(course, download, system, worksheet, sheet, zone_named(zone))
+    own = zone_named(zone)
+    wanted = Wanted(system, worksheet, sheet, own, time_given(received, own))
+    taken = take_in(course, download, wanted)
     for path in taken.paths:
         print(path)  # noqa: T201 - data of the command
     for sentence in (*taken.conflicts, *taken.notes):

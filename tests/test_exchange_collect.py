@@ -1,7 +1,9 @@
 """Downloads of Moodle and others taken into submitted/: whose they are, when they came in, what is refused."""
 
+import json
+
 import pytest
-from courses import enrol, files_of, make_course
+from courses import enrol, files_of, handed_out, make_course, right_answers
 from downloads import (
     CANVAS,
     CLASSROOM,
@@ -16,6 +18,7 @@ from downloads import (
     zip_bytes,
     zip_file,
 )
+from kinegrade.course.config import read_course
 from kinegrade.course.exchange import archive
 from kinegrade.course.exchange.moments import moment, zone_named
 
@@ -310,6 +313,7 @@ def test_a_file_without_a_name_of_ours_takes_the_sheet_that_is_given(collect, fo
         (("--sheet", "two"), "there is no sheet 'two'"),
         (("--from", "modle"), "--from takes one of moodle"),
         (("--zone", "Berlin"), "--zone takes the name of a time zone such as Europe/Berlin"),
+        (("--received", "noon"), "--received takes a time such as 2026-11-23T23:59, got 'noon'"),
     ],
 )
 def test_what_cannot_be_meant_is_one_sentence(collect, more, words):
@@ -338,13 +342,60 @@ def test_canvas_is_recognized_and_its_numbers_are_those_of_its_gradebook(collect
     ran = collect(files, worksheet=CANVAS)
     assert ran.code == 0
     assert set(submitted(folder)) == {"ada/one.ipynb", "ben/one.json", "cyd/one.json"}
-    assert "Canvas calls these late: somebody_LATE_4712_88002_one-1.json" in ran.err
+    assert "Called late there: somebody_LATE_4712_88002_one-1.json" in ran.err
     assert "3 files came without a time; Canvas's download has none" in ran.err
 
 
 def test_canvas_where_markers_are_blind_is_matched_by_the_sheet_inside(collect, folder):
     ran = collect({"anon_Xy12z_88001_one.ipynb": sheet_of("ada"), "anon_Ab12z_8_one.json": b"{}"})
     assert (ran.code, set(submitted(folder))) == (1, {"ada/one.ipynb"})
+
+
+CANVAS_FILES = {
+    "lovelaceada_4711_88001_one.json": b"{}",
+    "botben_LATE_4712_88002_one.json": b"{}",
+}
+
+
+@pytest.fixture
+def timed(folder):
+    """The same course, whose sheet has a deadline."""
+    path = folder / "course.toml"
+    path.write_text(f"{path.read_text()}deadline = 2026-11-23T23:59:00\n")
+    return folder
+
+
+def test_where_a_sheet_has_a_deadline_nothing_is_taken_without_a_time(collect, timed):
+    """The time of the file would be that of the download, so late for everybody."""
+    ran = collect(CANVAS_FILES)
+    assert ran.code == 1
+    assert ran.err.count("came without a time, and sheet one has a deadline; it is not taken.") == 2
+    assert not (timed / "submitted").exists()
+
+
+def test_one_time_can_be_given_for_all_that_are_not_called_late(collect, timed):
+    ran = collect(CANVAS_FILES, "--received", "2026-11-23 23:00")
+    assert ran.code == 1
+    assert "A line ben,one,one.json,TIME in submitted/received.csv says when it came" in ran.err
+    path = timed / "submitted" / "received.csv"
+    assert path.read_text().splitlines()[1:] == ["ada,one,one.json,2026-11-23T23:00:00+01:00"]
+    written(path, path.read_text() + "ben,one,one.json,2026-11-24T01:00+01:00\n")
+    assert collect(CANVAS_FILES, "--received", "2026-11-23 23:00").code == 0
+    assert {"ada/one.json", "ben/one.json"} < set(submitted(timed))
+    assert b"ben,one,one.json,2026-11-24T01:00:00+01:00" in submitted(timed)["received.csv"]
+
+
+def test_what_came_from_moodle_late_is_marked_late(collect, timed, kinegrade):
+    handed_out(timed)
+    path = timed / "course.toml"
+    path.write_text(f"{path.read_text()}late_percent = 10\n")
+    path.write_text(f'timezone = "Europe/Berlin"\n{path.read_text()}')
+    answers = right_answers(read_course(timed), "ben")
+    data = json.dumps({name: value.tolist() for name, value in answers.items()}).encode()
+    collect({f"{BEN}/one.json": data}, worksheet=MOODLE)
+    ran = kinegrade("grade", "-c", timed)
+    assert "4.5 / 5" in ran.out
+    assert "received.csv" not in ran.err
 
 
 def test_of_two_that_were_handed_in_to_canvas_the_newest_counts(collect, folder):

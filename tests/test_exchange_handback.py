@@ -154,6 +154,23 @@ def test_the_gradebook_of_canvas_gets_one_column_and_names_no_other(handback, fo
     ]
 
 
+def test_who_is_excused_is_so_in_canvas_and_has_no_zero_anywhere(handback, kinegrade, folder):
+    kinegrade("excuse", "ada", "one", "-c", folder)
+    handback("canvas", worksheet=CANVAS)
+    handback("moodle", worksheet=MOODLE)
+    canvas = rows_of((folder / "exchange" / "one-canvas.csv").read_text())
+    moodle = rows_of((folder / "exchange" / "one-moodle.csv").read_text())
+    assert canvas[2][-1] == "EX"
+    assert (moodle[1][5], moodle[1][10][:15]) == ("", "You are excused")
+
+
+def test_what_is_not_published_is_told(handback, kinegrade, folder):
+    said = "Not published, so they may still change: ada, ben. `kinegrade publish one` freezes"
+    assert said in handback("csv").err
+    kinegrade("publish", "one", "-c", folder)
+    assert said not in handback("csv").err
+
+
 @pytest.mark.parametrize(
     ("change", "words"),
     [

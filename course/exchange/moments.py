@@ -49,6 +49,20 @@ def zone_named(name: str) -> tzinfo | None:
         ) from error
 
 
+def time_given(text: str, zone: tzinfo | None) -> datetime | None:
+    """The time of --received; None where none is given.
+
+    Raises:
+        CourseError: it is no time.
+    """
+    if not text:
+        return None
+    found = moment(text, zone)
+    if found is None:
+        raise CourseError(f"--received takes a time such as 2026-11-23T23:59, got {text!r}")
+    return found
+
+
 def moment(text: str, zone: tzinfo | None) -> datetime | None:
     """The time that a text says, in its own zone, else in `zone`; None where it says none."""
     plain = PLAIN.search(text)
