@@ -63,13 +63,15 @@ def collect(
     from .exchange.collection import Wanted
     from .exchange.collection import collect as take_in
     from .exchange.moments import time_given, zone_named
+    from .leftovers import cleared
 
     course = read_course(folder)
     if not zone and "timezone" in course.settings.model_fields_set:
         zone = course.settings.timezone
     own = zone_named(zone)
     wanted = Wanted(system, worksheet, sheet, own, time_given(received, own))
-    taken = take_in(course, download, wanted)
+    with cleared(folder):
+        taken = take_in(course, download, wanted)
     for path in taken.paths:
         print(path)  # noqa: T201 - data of the command
     for sentence in (*taken.conflicts, *taken.notes):
@@ -90,14 +92,16 @@ def handout(
     from .config import read_course
     from .exchange.handouts import for_moodle, plain
     from .exchange.worksheet import read_worksheet
+    from .leftovers import cleared
 
     course = read_course(folder)
     (chosen,) = course.sheets((sheet,))
     place = output or folder / OUTPUT
-    print(plain(course, chosen, place))  # noqa: T201 - data of the command
-    if worksheet is not None:
-        table = read_worksheet(worksheet)
-        print(for_moodle(course, chosen, table, place))  # noqa: T201 - data of the command
+    with cleared(folder):
+        print(plain(course, chosen, place))  # noqa: T201 - data of the command
+        if worksheet is not None:
+            table = read_worksheet(worksheet)
+            print(for_moodle(course, chosen, table, place))  # noqa: T201 - data of the command
 
 
 @exchange.command()
