@@ -50,6 +50,14 @@ def collect(kinegrade, folder, tmp_path):
     return run
 
 
+@pytest.fixture
+def timed(folder):
+    """The same course, whose sheet has a deadline."""
+    path = folder / "course.toml"
+    path.write_text(f"{path.read_text()}deadline = 2026-11-23T23:59:00\n")
+    return folder
+
+
 def submitted(folder):
     return files_of(folder / "submitted")
 
@@ -234,6 +242,16 @@ def test_a_zip_of_a_student_is_opened_and_data_go_beside_the_notebook(collect, f
     assert "MACOSX" not in ran.err
 
 
+def test_a_request_is_taken_beside_the_answers_whenever_it_comes(collect, timed):
+    files = {f"{ADA}/one.request.txt": b"lever_J: why?", f"{ADA}/one.json": b"{}"}
+    collect(files, worksheet=MOODLE)
+    assert {"ada/one.json", "ada/one.request.txt"} < set(submitted(timed))
+    assert collect({f"{ADA}/one.request (1).txt": b"lever_J: so!"}).out == ""
+    collect({f"{ADA}/One.Request.txt": b"lever_J: so!"})
+    assert submitted(timed)["ada/one.request.txt"] == b"lever_J: so!"
+    assert submitted(timed)["ada/one.json"] == b"{}"
+
+
 @pytest.mark.parametrize(
     ("name", "words"),
     [
@@ -248,6 +266,26 @@ def test_a_path_that_leads_elsewhere_is_refused_with_a_sentence(collect, folder,
     assert ran.code == 1
     assert f"{words}; it is not taken" in ran.err
     assert set(submitted(folder)) == {"ben/one.json"}
+
+
+NAMES = ["x" * 240 + ".py", "con.py", "a\u202eb.py", "ab:c.py", "one.py", "a\nb.py"]
+
+
+@pytest.mark.parametrize("name", NAMES, ids=ascii)
+def test_a_file_beside_that_cannot_be_called_so_everywhere_is_named(collect, folder, name):
+    inner = zip_bytes({"one.ipynb": sheet_of("ada", f"import {name[:-3]}"), name: b"x = 1"})
+    ran = collect({f"{ADA}/all.zip": inner})
+    assert ran.code == 0
+    assert "ada/one.ipynb" in submitted(folder)
+    assert len(submitted(folder)) == 1
+    assert "not taken" in ran.err
+
+
+@pytest.mark.parametrize("name", [".", "//", "./.", ""])
+def test_an_entry_without_a_name_costs_nobody_anything(collect, folder, name):
+    collect({name: b"x", f"{ADA}/one.json": b"{}"}, "--from", "nbgrader")
+    collect({name: b"x", f"{ADA}/one.json": b"{}"})
+    assert set(submitted(folder)) == {"ada/one.json"}
 
 
 def test_a_link_is_refused_in_a_zip_and_in_a_folder(collect, folder, kinegrade, tmp_path):
@@ -355,14 +393,6 @@ CANVAS_FILES = {
     "lovelaceada_4711_88001_one.json": b"{}",
     "botben_LATE_4712_88002_one.json": b"{}",
 }
-
-
-@pytest.fixture
-def timed(folder):
-    """The same course, whose sheet has a deadline."""
-    path = folder / "course.toml"
-    path.write_text(f"{path.read_text()}deadline = 2026-11-23T23:59:00\n")
-    return folder
 
 
 def test_where_a_sheet_has_a_deadline_nothing_is_taken_without_a_time(collect, timed):

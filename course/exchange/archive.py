@@ -102,7 +102,7 @@ def _of_zip(archive: ZipFile, place: str, most: int) -> Contents:
     files: list[File] = []
     refused: list[str] = []
     for info in infos:
-        if info.is_dir() or _is_unseen(info.filename):
+        if info.filename.endswith("/") or _is_unseen(info.filename):
             continue
         why = _refusal(info)
         if why:
@@ -119,6 +119,8 @@ def _refusal(info: ZipInfo) -> str:
         return "has an absolute path"
     if ".." in name.split("/"):
         return "leads out of its folder"
+    if not PurePosixPath(name).parts:
+        return "has no name"
     if stat.S_ISLNK(info.external_attr >> 16):
         return "is a link"
     if info.flag_bits & ENCRYPTED:

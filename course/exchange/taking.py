@@ -10,12 +10,13 @@ from ..config import Course
 from ..escape import printable
 from ..files import write_atomically
 from ..roster import DEVICE
-from ..sheet.submissions import MAX_BESIDE, READERS
+from ..sheet.submissions import MAX_BESIDE, READERS, REQUEST
 from ..term.received import Receipt, read_receipts, write_receipts
 from .archive import RefusedError
 from .claims import Claim, Looked
 from .upload import Upload
 
+LONGEST = 200  # bytes of a name, to which others are added while a file is written
 REPLACED = ".replaced"
 """The folder of a student with files that newer ones replaced."""
 
@@ -40,7 +41,7 @@ class Taken:
 def take(course: Course, looked: Looked) -> Taken:
     """Writes what was claimed, and submitted/received.csv with the times."""
     taker = _Taker(course)
-    for (student, sheet), claims in sorted(_by_answer(looked.claims).items()):
+    for (student, sheet, _), claims in sorted(_by_answer(looked.claims).items()):
         if len({claim.upload.owner for claim in claims}) > 1:
             places = " and ".join(claim.upload.place for claim in claims)
             taker.taken.conflicts.append(
@@ -60,10 +61,12 @@ def take(course: Course, looked: Looked) -> Taken:
     return taker.taken
 
 
-def _by_answer(claims: Iterable[Claim]) -> Mapping[tuple[str, str], list[Claim]]:
-    found: dict[tuple[str, str], list[Claim]] = {}
+def _by_answer(claims: Iterable[Claim]) -> Mapping[tuple[str, str, bool], list[Claim]]:
+    """Claims by student, sheet, and whether they are requests."""
+    found: dict[tuple[str, str, bool], list[Claim]] = {}
     for claim in claims:
-        found.setdefault((claim.student, claim.sheet), []).append(claim)
+        key = (claim.student, claim.sheet, claim.upload.is_request)
+        found.setdefault(key, []).append(claim)
     return found
 
 
@@ -84,7 +87,8 @@ def _age(claim: Claim) -> tuple[datetime, datetime, int, str]:
     upload = claim.upload
     received = upload.received or datetime.min.replace(tzinfo=UTC)
     modified = upload.file.modified or datetime.min  # noqa: DTZ901 - only compared with its like
-    return received, modified, -list(READERS).index(upload.suffix), upload.place
+    order = [*READERS, *{upload.suffix} - set(READERS)]
+    return received, modified, -order.index(upload.suffix), upload.place
 
 
 class _Taker:
@@ -104,8 +108,11 @@ class _Taker:
             RefusedError: it cannot be read, or its time is not known and matters.
         """
         folder = self._course.folder / "submitted" / claim.student
-        path = folder / f"{claim.sheet}{claim.upload.suffix}"
         data = claim.upload.file.read()
+        if claim.upload.is_request:
+            self._take_request(claim, folder / f"{claim.sheet}{REQUEST}", data)
+            return
+        path = folder / f"{claim.sheet}{claim.upload.suffix}"
         if _holds(path, data):
             if self._is_newer(claim, claim.upload.received):
                 self.taken.unchanged += 1
@@ -123,6 +130,15 @@ class _Taker:
         self.taken.paths.append(path)
         self._note(claim, path, received)
         self._take_beside(folder, claim)
+
+    def _take_request(self, claim: Claim, path: Path, data: bytes) -> None:
+        """What a student asks has no deadline, and stands beside the answers."""
+        if _holds(path, data):
+            self.taken.unchanged += 1
+            return
+        self._set_aside(claim.student, path)
+        write_atomically(path, data)
+        self.taken.paths.append(path)
 
     def _note(self, claim: Claim, path: Path, received: datetime | None) -> None:
         if received is not None:
@@ -210,6 +226,7 @@ class _Taker:
         """Whether a name is not that of a sheet's answer, and possible on every system."""
         sheets = {sheet.name.casefold() for sheet in self._course.settings.sheet}
         plain = other.name == printable(other.name) and not set(other.name) & set('/\\:*?"<>|')
+        plain = plain and len(other.name.encode()) <= LONGEST
         stem = PurePath(other.name).stem.casefold()
         return plain and not DEVICE.fullmatch(other.name) and stem not in sheets
 
