@@ -1,6 +1,7 @@
 """Downloads of Moodle and others taken into submitted/: whose they are, when they came in, what is refused."""
 
 import json
+from random import Random
 
 import pytest
 from courses import enrol, files_of, handed_out, make_course, right_answers
@@ -331,6 +332,23 @@ def test_a_damaged_zip_of_a_student_is_named(collect, folder, data):
     ran = collect({f"{ADA}/all.zip": data, f"{BEN}/one.json": b"{}"})
     assert f"{ADA}/all.zip: a damaged zip file" in ran.err
     assert set(submitted(folder)) == {"ben/one.json"}
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_a_download_with_damage_in_it_is_taken_as_far_as_it_can_be(collect, folder, seed):
+    """Whatever bytes are others: a sentence, and what is taken is what was handed in."""
+    random = Random(seed)  # noqa: S311 - the same damage every time
+    whole = [b"%d" % random.getrandbits(4000) for _ in range(3)]
+    names = (ADA, BEN, "Cyd the third_9003_assignsubmission_file")
+    data = bytearray(
+        zip_bytes({f"{name}/one.json": one for name, one in zip(names, whole, strict=True)})
+    )
+    for place in random.sample(range(len(data)), 4):
+        data[place] ^= 1 << random.randrange(8)
+    ran = collect(bytes(data), "--from", "moodle")
+    assert "our fault" not in ran.err
+    taken = [one for path, one in submitted(folder).items() if path.endswith(".json")]
+    assert set(taken) <= set(whole)
 
 
 def test_a_notebook_of_another_sheet_or_course_is_not_taken(collect, folder):

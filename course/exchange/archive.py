@@ -3,10 +3,12 @@
 import io
 import re
 import stat
+import zlib
 from collections.abc import Callable, Generator, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from datetime import datetime
+from lzma import LZMAError
 from pathlib import Path, PurePosixPath
 from typing import IO
 from zipfile import BadZipFile, ZipFile, ZipInfo, is_zipfile
@@ -22,7 +24,10 @@ DRIVE = re.compile("[A-Za-z]:")
 UNSEEN = (".", "~", "__MACOSX", "Thumbs.db", "desktop.ini")
 """How names begin of what systems leave behind, which nobody handed in."""
 ENCRYPTED = 1
-UNREADABLE = (BadZipFile, NotImplementedError, RuntimeError, EOFError, ValueError, OSError)
+UNREADABLE = (
+    BadZipFile, zlib.error, LZMAError, NotImplementedError, RuntimeError, EOFError, ValueError,
+    OSError,
+)  # fmt: skip
 """What zipfile and zlib raise on damaged archives, and on ways of packing that they do not know."""
 
 
