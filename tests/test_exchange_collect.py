@@ -516,6 +516,17 @@ def test_repositories_of_classroom_belong_to_the_users_of_its_table(kinegrade, f
     assert b"ben,one,one.json,2026-11-23T23:59:59+00:00" in submitted(folder)["received.csv"]
 
 
+def test_repositories_of_classroom_are_found_by_its_roster_too(kinegrade, folder, tmp_path):
+    roster = '"identifier","github_username","github_id","name"\n"ada","lady-ada","7",""\n'
+    (tmp_path / "repos" / "one-lady-ada").mkdir(parents=True)
+    (tmp_path / "repos" / "one-lady-ada" / "one.json").write_bytes(b"{}")
+    table = written(tmp_path / "roster.csv", roster)
+    ran = kinegrade(
+        "collect", tmp_path / "repos", "--from", "classroom", "--worksheet", table, "-c", folder
+    )
+    assert (ran.code, set(submitted(folder))) == (0, {"ada/one.json"})
+
+
 @pytest.mark.parametrize(
     ("text", "iso"),
     [
@@ -526,6 +537,8 @@ def test_repositories_of_classroom_belong_to_the_users_of_its_table(kinegrade, f
         ("lunes, 3 de agosto de 2026, 23:59", "2026-08-03T23:59:00+02:00"),
         ("2026-11-23T23:59:00+05:30", "2026-11-23T23:59:00+05:30"),
         ("2026-11-23 23:59:59 UTC", "2026-11-23T23:59:59+00:00"),
+        ("2026-11-23 23:59 CET", "2026-11-23T23:59:00+01:00"),
+        ("2026-07-23 23:59 CEST", None),
         ("-", None),
         ("Monday, 31 February 2026, 11:59 PM", None),
         ("2026-13-45 10:00 UTC", None),

@@ -43,6 +43,7 @@ def autograder(kinegrade, marked, tmp_path):
     """Gradescope's folder with the unpacked autograder; takes who handed in, and what."""
     ran = kinegrade("export", "gradescope", "one", "-c", marked, "-o", tmp_path / "a.zip")
     assert (ran.code, ran.out) == (0, f"{tmp_path / 'a.zip'}\n")
+    assert (tmp_path / "a.zip").stat().st_mode & 0o077 == 0
     root = tmp_path / "autograder"
     with zipfile.ZipFile(tmp_path / "a.zip") as archive:
         archive.extractall(root / "source")

@@ -21,6 +21,7 @@ from .packing import packed
 from .wheel import wheel
 
 ABOUT = "course.json"
+FOR_ITS_OWNER = 0o600  # as the gradebook is
 PROGRAMS = frozenset({"setup.sh", "run_autograder"})
 TIMELESS = {
     "deadline": None,
@@ -69,7 +70,8 @@ def write_autograder(
         ABOUT: json.dumps(_about(course, sheet, permission), indent=2).encode(),
         FILE: _records_alone(records),
     }
-    write_atomically(path, packed(contents | _own_exercises(course.folder), PROGRAMS))
+    data = packed(contents | _own_exercises(course.folder), PROGRAMS)
+    write_atomically(path, data, mode=FOR_ITS_OWNER)
     return path
 
 
