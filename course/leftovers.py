@@ -12,8 +12,10 @@ try:
 except ImportError:  # Windows; there, what is left is only a file too many
     fcntl = None
 
-WRITTEN = ("", "report", "released/*", "solutions/*", "feedback/*")
-"""Where the commands write files; a student's own files lie elsewhere."""
+WRITTEN = (
+    "", "report", "exchange", "released/*", "solutions/*", "feedback/*", "submitted", "submitted/*",
+)  # fmt: skip
+"""Where the commands write files."""
 
 
 @contextmanager

@@ -24,6 +24,7 @@ from .requests import read_requests
 from .sheet.submissions import strangers
 from .sheets import exercises_of, renew_solutions
 from .tables import legend, terminal_table
+from .term.received import FILE as RECEIPTS
 
 Marked = list[tuple[Sheet, list[Result]]]
 """Sheets with the results of the roster."""
@@ -65,7 +66,7 @@ def marked_sheets(
         JailError: there are notebooks to run, and no permitted level works here.
     """
     roster = {student.id for student in course.students}
-    for name in strangers(course.folder, roster):
+    for name in strangers(course.folder, {*roster, RECEIPTS}):
         folder = course.folder / "submitted" / name
         say(f"{folder} belongs to nobody of roster.csv and is not marked.")
 

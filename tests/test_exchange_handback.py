@@ -7,6 +7,7 @@ import re
 import subprocess
 import sys
 import zipfile
+from dataclasses import replace
 from shutil import copytree
 
 import pytest
@@ -16,11 +17,11 @@ from kinegrade.course.exchange import handed_back
 from kinegrade.course.exchange.worksheet import read_worksheet
 from kinegrade.course.gradebook import Gradebook, GradeKey
 from kinegrade.course.marking import mark_sheets
-from kinegrade.grader.marking.verdict import not_graded
+from kinegrade.grader.marking.verdict import Finding, not_graded
 
 ROSTER = """student,name,E-mail
 ada,Ada Lovelace,ada@example.org
-ben,Ben Bot,ben@example.org
+ben,Ben Bot,Ben@Example.org
 cyd,Cyd the third,cyd@example.org
 """
 
@@ -161,6 +162,23 @@ def test_the_gradebook_of_canvas_gets_one_column_and_names_no_other(handback, fo
     ]
 
 
+def test_who_is_excused_is_so_in_canvas_and_has_no_zero_anywhere(handback, kinegrade, folder):
+    kinegrade("excuse", "ada", "one", "-c", folder)
+    handback("canvas", worksheet=CANVAS)
+    handback("moodle", worksheet=MOODLE)
+    canvas = rows_of((folder / "exchange" / "one-canvas.csv").read_text())
+    moodle = rows_of((folder / "exchange" / "one-moodle.csv").read_text())
+    assert canvas[2][-1] == "EX"
+    assert (moodle[1][5], moodle[1][10][:15]) == ("", "You are excused")
+
+
+def test_what_is_not_published_is_told(handback, kinegrade, folder):
+    said = "Not published, so they may still change: ada, ben. `kinegrade publish one` freezes"
+    assert said in handback("csv").err
+    kinegrade("publish", "one", "-c", folder)
+    assert said not in handback("csv").err
+
+
 @pytest.mark.parametrize(
     ("change", "words"),
     [
@@ -288,6 +306,18 @@ def test_who_waits_for_a_mark_is_not_in_the_zip_for_gradescope(handback, folder,
 def test_a_way_that_cannot_be_gone_is_one_sentence(handback, system, words):
     ran = handback(system)
     assert (ran.code, words in ran.err) == (1, True)
+
+
+def test_what_is_for_the_instructor_goes_nowhere(handback, folder):
+    with Gradebook(folder / "gradebook.sqlite") as gradebook:
+        first, second = gradebook.current("one")["ada"]
+        findings = (Finding("For the instructor.", private=True), Finding("For ada."))
+        told = [replace(first, findings=findings), second]
+        gradebook.save_grade(GradeKey("ada", "one", "file", "rules"), told)
+    handback("csv")
+    text = (folder / "exchange" / "one.csv").read_text()
+    assert "For ada." in text
+    assert "For the instructor." not in text
 
 
 def test_a_blind_worksheet_of_nobody_is_refused(handback):

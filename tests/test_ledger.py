@@ -146,7 +146,9 @@ def test_a_damaged_grade_of_the_first_format_costs_its_student_alone(first_forma
 def test_another_format_is_refused(place, setup, found):
     Gradebook(place).close()
     run_sql(place, *setup.split("; "))
-    with pytest.raises(CourseError, match=f"format {found}; this version reads {VERSION} and older"):
+    with pytest.raises(
+        CourseError, match=f"format {found}; this version reads {VERSION} and older"
+    ):
         Gradebook(place)
 
 

@@ -15,12 +15,15 @@ OURS = (
     "released/ada/.one.ipynb.x3.part",
     "solutions/ada/.one.ipynb.x4.part",
     "feedback/ada/.one.html.x5.part",
+    "submitted/ada/.one.ipynb.x6.part",
+    "submitted/.received.csv.x9.part",
+    "exchange/.one-moodle.csv.xa.part",
 )
 OTHERS = (
     "part",
     "a.part",
     ".hidden",
-    "submitted/ada/.one.ipynb.x6.part",
+    "submitted/ada/deep/.one.ipynb.x8.part",
     "exercises/.lever.py.x7.part",
     "released/ada/one.part.ipynb",
 )

@@ -8,7 +8,6 @@ import json
 import sys
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
-from datetime import UTC, datetime
 from pathlib import Path
 from shutil import copy, copytree
 from tempfile import TemporaryDirectory
@@ -29,7 +28,6 @@ from .autograder import ABOUT
 from .claims import look
 from .gradescope_results import gradescope_results
 from .marked import Marked
-from .moments import moment
 from .people import Owner, People
 from .taking import take
 from .upload import Upload
@@ -64,8 +62,7 @@ def marked_submission(root: Path) -> dict[str, Any]:
             copytree(source / "exercises", folder / "exercises")
         course = Course(folder, Settings.model_validate(about["settings"]), (student,))
         (sheet,) = course.sheets((about["sheet"],))
-        received = moment(str(metadata.get("created_at")), UTC)
-        _hand_in(course, sheet, student, root / "submission", received)
+        _hand_in(course, sheet, student, root / "submission")
         result = _result(course, sheet, Permission(accept_medium=about["accept_medium"]))
         marked = Marked(course, sheet, exercises_of(course, sheet), [result])
         return gradescope_results(marked, result)
@@ -92,13 +89,11 @@ def _submitter(students: list[Student], users: Iterable[Mapping[str, Any]]) -> S
     return found[0]
 
 
-def _hand_in(
-    course: Course, sheet: Sheet, student: Student, submission: Path, received: datetime | None
-) -> None:
+def _hand_in(course: Course, sheet: Sheet, student: Student, submission: Path) -> None:
     """Takes the files as `kinegrade collect` does, into a course folder for this one."""
     owner = Owner(ids=(student.id,))
     with opened_download(submission) as contents:
-        uploads = [Upload(owner, file.path.name, file, received) for file in contents.files]
+        uploads = [Upload(owner, file.path.name, file) for file in contents.files]
         looked = look(course, People(course.students), uploads, sheet.name)
         taken = take(course, looked)
     if not taken.paths:
