@@ -62,7 +62,7 @@ def on_boundary(
 
 def _ranges(coarse: NDArray[np.intp], chosen: NDArray[np.intp]) -> NDArray[np.intp]:
     """The numbers from each chosen one of the coarse points to the next."""
-    ranges = [np.arange(coarse[i], coarse[i + 1]) for i in chosen]
+    ranges = [np.arange(int(coarse[i]), int(coarse[i + 1])) for i in chosen]
     return np.concatenate([*ranges, coarse[:0]])
 
 
