@@ -10,8 +10,8 @@ from ..grader.marking.verdict import Verdict
 from .config import Course, CourseError, Sheet
 from .escape import printable_lines
 from .gradebook import Gradebook, Mark
+from .record import digest
 from .sheets import exercises_of
-from .variant import digest
 from .variant_code import read_code, variant_codes
 
 

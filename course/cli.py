@@ -20,7 +20,7 @@ from .marks_command import marks
 from .options import CourseOption, GradebookOption, JsonOption, SheetArguments, opened
 
 if TYPE_CHECKING:
-    from .grading import Result
+    from .results import Result
 
 app = typer.Typer(
     help="Personal exercise sheets, worked solutions and marking for the robot Jacobian.",

@@ -17,15 +17,15 @@ from .explained import explained
 from .formulas import page_text
 from .gradebook import Gradebook
 from .grades import SheetResults
-from .grading import Result
 from .markdown import markdown_html
 from .own_sheet import own_questions
 from .pages import template, write_page
 from .position import position
+from .record import Record
+from .results import Result
 from .sentences import sentence
 from .sheet.worked import worked_steps
 from .tables import MARKS, result_text
-from .variant import Record
 from .words import points_text, share_text
 
 log = logging.getLogger(__name__)

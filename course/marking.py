@@ -2,6 +2,7 @@
 
 import sys
 from collections.abc import Collection, Mapping, Sequence
+from contextlib import closing
 from pathlib import Path
 
 from rich.console import Console
@@ -17,8 +18,10 @@ from .feedback import write_all_feedback
 from .files import write_atomically
 from .gradebook import Gradebook
 from .grades import SheetResults, grades_csv
-from .grading import Result, SheetMarker, recorded_results
+from .grading.processes import ThisMachine
+from .marker import SheetMarker
 from .report import write_report
+from .results import Result, recorded_results
 from .sheet.submissions import strangers
 from .sheets import exercises_of, renew_solutions
 from .tables import legend, terminal_table
@@ -73,11 +76,12 @@ def marked_sheets(
     marked: Marked = []
     with (
         Jail(permission, course.settings.packages.allow) as jail,
+        closing(ThisMachine(jail, course.settings.packages.allow)) as place,
         progress("Marking", len(course.students) * len(sheets)) as step,
     ):
         for sheet in sheets:
             marker = SheetMarker(
-                course, gradebook, sheet, jail=jail, accept_change=accept_change, again=again
+                course, gradebook, sheet, place=place, accept_change=accept_change, again=again
             )
             _renew_solutions(course, gradebook, sheet, marker.accepted)
             marked.append((sheet, marker.results(step)))

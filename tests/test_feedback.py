@@ -12,10 +12,10 @@ from courses import lever, make_course, sheet
 from kinegrade.course.config import Student, read_course
 from kinegrade.course.feedback import write_feedback
 from kinegrade.course.gradebook import Mark
-from kinegrade.course.grading import Result
 from kinegrade.course.marks import answer_id, with_marks
 from kinegrade.course.own_sheet import own_questions
 from kinegrade.course.position import position
+from kinegrade.course.results import Result
 from kinegrade.course.sentences import sentence
 from kinegrade.course.variant import Record, fingerprint
 from kinegrade.exercises.exercise import (

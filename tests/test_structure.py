@@ -63,16 +63,21 @@ ROOMS = {
     | {"course/ground", "exercises", "exercises/kinds", "grader/collecting", "grader/figures"}
     | {"grader/jail"},
     "course/typeset": ENGINE | {"course/ground", "course/sheet", "exercises", "exercises/kinds"},
+    "course/record": ENGINE | {"exercises"},
+    "course/grading": ENGINE
+    | {"course/ground", "course/record", "course/sheet", "exercises", "exercises/files"}
+    | {"grader/collecting", "grader/jail", "grader/marking"},
     "course/ledger": ENGINE | {"course/ground", "grader/marking"},
     "course/ledger/migrations": set(),
     "course/ledger/migrations/versions": set(),
     "course": ENGINE
-    | {"course/ground", "course/sheet", "course/typeset", "course/ledger"}
+    | {"course/ground", "course/record", "course/sheet", "course/typeset", "course/ledger"}
+    | {"course/grading"}
     | {"exercises", "exercises/files"}
     | {"grader/collecting", "grader/jail", "grader/reading", "grader/marking", "grader/telling"}
     | {"grader/figures"},
     "course/proof": ENGINE
-    | {"course", "course/ground", "course/sheet", "course/typeset"}
+    | {"course", "course/ground", "course/record", "course/sheet", "course/typeset"}
     | {"exercises", "exercises/files"}
     | {"grader/collecting", "grader/jail", "grader/kinds", "grader/marking", "grader/telling"},
     "course/command": ENGINE
@@ -83,12 +88,14 @@ ROOMS = {
 ROOM_OF = {
     "exercises/part": "exercises/part",
     "course/cli": "course/command",
+    "course/record": "course/record",
     **dict.fromkeys(
         [
             f"course/{name}"
             for name in (
                 "config",
                 "console",
+                "cores",
                 "errors",
                 "escape",
                 "files",
@@ -300,7 +307,7 @@ def test_no_package_loads_anything_by_itself():
 
 def test_grading_loads_no_sympy_and_no_figures():
     found = loaded(
-        "import kinegrade.course.grading, kinegrade.course.sheet.submissions, kinegrade.course.tables"
+        "import kinegrade.course.marker, kinegrade.course.sheet.submissions, kinegrade.course.tables"
     )
     heavy = {"sympy", "matplotlib", "typst", "IPython", "scipy", "alembic", "psycopg"}
     assert sorted(heavy & found) == []
