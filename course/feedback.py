@@ -15,8 +15,6 @@ from .entries import Cell, entry_tables
 from .escape import printable
 from .explained import explained
 from .formulas import page_text
-from .gradebook import Gradebook
-from .grades import SheetResults
 from .markdown import markdown_html
 from .own_sheet import own_questions
 from .pages import template, write_page
@@ -53,23 +51,6 @@ class _Own:
     verdicts: Mapping[str, Verdict]
     question: str
     solved: bool
-
-
-def write_all_feedback(
-    course: Course,
-    gradebook: Gradebook,
-    marked: SheetResults,
-    step: Callable[[], None] = lambda: None,
-) -> None:
-    """A page for everybody who has verdicts on the sheet; `step` is called after each."""
-    records: dict[str, dict[str, Record]] = {}
-    for record in gradebook.records(marked.sheet.name):
-        records.setdefault(record.student, {})[record.exercise] = record
-    for result in marked.results:
-        if result.verdicts:
-            own = records.get(result.student.id, {})
-            write_feedback(course, marked.sheet, marked.exercises, result, own)
-            step()
 
 
 def write_feedback(

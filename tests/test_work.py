@@ -2,6 +2,7 @@
 
 import logging
 import math
+import pickle
 
 import numpy as np
 import pytest
@@ -9,7 +10,7 @@ from courses import LEVER, notebook
 from kinegrade.course.grading import task
 from kinegrade.course.grading.check import Check, Checked
 from kinegrade.course.grading.overheard import overheard, repeat
-from kinegrade.course.grading.task import MARK, TASKS, packed, there, unpacked
+from kinegrade.course.grading.task import CHECK, MARK, packed, there, unpacked
 from kinegrade.course.grading.values import from_text, to_text
 from kinegrade.course.grading.work import Came, Done, Walls, Work, do
 from kinegrade.course.record import Record, fingerprint
@@ -109,7 +110,7 @@ def test_a_submission_is_marked_from_its_data_alone_where_the_course_is_not(leve
     lever.unlink()
     here = do(one, no_jail)
     assert [verdict.status for verdict in here.verdicts] == ["incorrect", "missing"]
-    elsewhere = unpacked(MARK.gives, there("mark", packed(one)))
+    elsewhere = unpacked(MARK.gives, there(MARK, packed(one)))
     assert elsewhere == here
 
 
@@ -152,7 +153,7 @@ def test_an_exercise_takes_the_modules_beside_it_along(tmp_path, lever):
 def test_complaints_of_another_process_are_repeated_here(lever, caplog):
     broken = LEVER.replace("x, y = given", "x, y = given['nothing'], given")
     lever.write_text(broken, encoding="utf-8")
-    found = there("mark", packed(work(lever, b'{"lever_J": [1, 2]}')))
+    found = there(MARK, packed(work(lever, b'{"lever_J": [1, 2]}')))
     done = unpacked(Done, found)
     (complaint, *_) = done.complaints
     assert "could not be marked" in complaint.said
@@ -176,13 +177,16 @@ def test_records_are_checked_elsewhere_as_here(lever):
     moved = Record("ben", "one", "lever", 0, V, fresh.answers | {"lever_p": [1.0, 2.0]})
     broken = Record("cyd", "one", "lever", 0, {"L": 1.0}, fresh.answers)
     text = packed(Check(exercise_text(lever), (fresh, moved, broken)))
-    found = unpacked(Checked, there("check", text))
+    found = unpacked(Checked, there(CHECK, text))
     assert found.moved == ((), ("lever_p",), ("lever_p", "lever_J"))
     assert "fails on the numbers of cyd" in found.complaints[0].said
 
 
-def test_every_kind_of_work_is_known_by_its_name():
-    assert {name: one.name for name, one in TASKS.items()} == {"mark": "mark", "check": "check"}
+@pytest.mark.parametrize("task", [MARK, CHECK])
+def test_a_kind_of_work_travels_by_name(task):
+    sent = pickle.dumps(task)
+    assert len(sent) < 400
+    assert pickle.loads(sent) == task  # noqa: S301 - our own
 
 
 def test_a_process_keeps_one_jail_for_all_its_notebooks():

@@ -70,11 +70,11 @@ class ThisMachine:
         data = packed(piece)
         if self._pool is not None:
             try:
-                return self._pool.submit(there, task.name, data)
+                return self._pool.submit(there, task, data)
             except BrokenProcessPool:
                 self._pool.shutdown()
         self._pool = worker_processes()
-        return self._pool.submit(there, task.name, data)
+        return self._pool.submit(there, task, data)
 
     def _alone(self, task: Task[T, R], piece: T) -> R | BaseException:
         for _ in range(TRIES):

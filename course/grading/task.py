@@ -1,9 +1,9 @@
-"""The two kinds of work, as they travel: text in, text out, and nothing in it that is run."""
+"""Kinds of work, as they travel: text in, text out, and nothing in it that is run."""
 
 import json
 from base64 import urlsafe_b64encode
 from collections.abc import Callable
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
 from functools import cache
 from threading import Lock
 from typing import Any, Generic, TypeVar
@@ -17,32 +17,37 @@ from .work import Done, Walls, Work, do
 
 T = TypeVar("T")
 R = TypeVar("R")
+JailOf = Callable[[Walls], Jail]
 _STARTING = Lock()
 
 
 @dataclass(frozen=True)
 class Task(Generic[T, R]):
-    """A kind of work: what goes in, what it does, what comes out."""
+    """A kind of work: what goes in, what it does, what comes out.
 
-    name: str
+    What comes out is a dataclass with `complaints`. A task itself travels by the names of these.
+    """
+
     takes: type[T]
-    does: Callable[[T, Callable[[Walls], Jail]], R]
+    does: Callable[[T, JailOf], R]
     gives: type[R]
 
 
-MARK = Task("mark", Work, do, Done)
-CHECK = Task("check", Check, checked, Checked)
-TASKS: dict[str, Task[Any, Any]] = {task.name: task for task in (MARK, CHECK)}
+MARK = Task(Work, do, Done)
+CHECK = Task(Check, checked, Checked)
 
 
 def packed(data: Any) -> bytes:
     """Plain data as JSON; half characters become question marks, as in the gradebook."""
-    text = json.dumps(asdict(data), default=_base64, ensure_ascii=False)
+    text = json.dumps(data, default=_plain, ensure_ascii=False)
     return text.encode(errors="replace")
 
 
-def _base64(data: bytes) -> str:
-    return urlsafe_b64encode(data).decode()
+def _plain(data: object) -> str | dict[str, Any]:
+    """The fields of a dataclass, and bytes as text."""
+    if isinstance(data, bytes):
+        return urlsafe_b64encode(data).decode()
+    return vars(data)
 
 
 def unpacked(kind: type[T], text: bytes) -> T:
@@ -59,9 +64,8 @@ def _adapter(kind: type[Any]) -> TypeAdapter[Any]:
     return TypeAdapter(kind)
 
 
-def there(name: str, text: bytes) -> bytes:
-    """Does a piece of work in a process of its own kind, which people do not look at."""
-    task = TASKS[name]
+def there(task: Task[Any, Any], text: bytes) -> bytes:
+    """Does a piece of work in a process that people do not look at."""
     with overheard() as complaints:
         result = task.does(unpacked(task.takes, text), jail_there)
     return packed(replace(result, complaints=tuple(complaints)))
