@@ -23,7 +23,7 @@ from .plot_command import plot
 from .term_command import term
 
 if TYPE_CHECKING:
-    from .grading import Result
+    from .results import Result
 
 app = typer.Typer(
     help="Personal exercise sheets, worked solutions and marking for the robot Jacobian.",
@@ -155,19 +155,13 @@ def grade(
 ) -> None:
     """Mark what was handed in; write grades.csv, feedback and the report."""
     from ..grader.jail.level import Permission
-    from .marking import level_line, mark_sheets, show
+    from .marking import How, level_line, mark_sheets, show
     from .tables import results_json
 
     with opened(folder, place) as (course, gradebook):
         chosen = course.sheets(tuple(sheets or ()))
-        marked = mark_sheets(
-            course,
-            gradebook,
-            chosen,
-            accept_change=accept_change,
-            again=again,
-            permission=Permission(accept_medium, unsafe),
-        )
+        how = How(accept_change, again, Permission(accept_medium, unsafe))
+        marked = mark_sheets(course, gradebook, chosen, how)
         level = level_line(gradebook.noted_level())
         if not as_json:
             show(course, marked, level)

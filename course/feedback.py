@@ -14,19 +14,17 @@ from .config import Course, MarkingTable, Sheet
 from .entries import Cell, entry_tables
 from .escape import printable
 from .explained import explained
-from .gradebook import Gradebook
-from .grades import SheetResults
-from .grading import Result
 from .markdown import markdown_html
 from .own_sheet import own_questions
 from .pages import template, with_formulas, write_page
 from .position import position
+from .record import Record
 from .requests import how_to_ask
+from .results import Result
 from .sentences import sentence
 from .sheet.worked import worked_steps
 from .tables import MARKS, result_text
 from .times import late_text, rules_text
-from .variant import Record
 from .words import points_text, share_text
 
 log = logging.getLogger(__name__)
@@ -55,23 +53,6 @@ class _Own:
     verdicts: Mapping[str, Verdict]
     question: str
     solved: bool
-
-
-def write_all_feedback(
-    course: Course,
-    gradebook: Gradebook,
-    marked: SheetResults,
-    step: Callable[[], None] = lambda: None,
-) -> None:
-    """A page for everybody who has verdicts on the sheet; `step` is called after each."""
-    records: dict[str, dict[str, Record]] = {}
-    for record in gradebook.records(marked.sheet.name):
-        records.setdefault(record.student, {})[record.exercise] = record
-    for result in marked.results:
-        if result.verdicts:
-            own = records.get(result.student.id, {})
-            write_feedback(course, marked.sheet, marked.exercises, result, own)
-            step()
 
 
 def write_feedback(

@@ -2,8 +2,6 @@
 
 import hashlib
 import logging
-import os
-import sys
 from collections.abc import Iterable
 from dataclasses import fields
 from functools import cache
@@ -13,6 +11,7 @@ from pathlib import Path
 from ..solutions.robot import Robot
 from ..solutions.robots import robot
 from .files import write_atomically
+from .kept import cache_folder
 from .pages import template, write_page
 from .rules import reached
 
@@ -54,7 +53,7 @@ def _figure(folder: Path, name: str) -> dict[str, str]:
 
 def _kept(arm: Robot, file: str) -> tuple[bytes, str]:
     """A map and its description, from this machine's cache or drawn and put there."""
-    place = cache_folder() / file
+    place = cache_folder() / "maps" / file
     try:
         return place.read_bytes(), place.with_suffix(".txt").read_text(encoding="utf-8")
     except (OSError, UnicodeDecodeError):
@@ -68,15 +67,6 @@ def _kept(arm: Robot, file: str) -> tuple[bytes, str]:
     except OSError:  # a home that cannot be written to: drawn again next time
         return image, text
     return image, text
-
-
-def cache_folder() -> Path:
-    """Where drawn maps are kept for all courses of this machine's user."""
-    usual = "~/.cache"
-    if sys.platform == "darwin":
-        usual = "~/Library/Caches"
-    chosen = os.environ.get("XDG_CACHE_HOME") or os.environ.get("LOCALAPPDATA") or usual
-    return Path(chosen).expanduser() / "kinegrade" / "maps"
 
 
 def _key(arm: Robot) -> str:

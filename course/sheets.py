@@ -13,10 +13,12 @@ from .check import read_handout
 from .config import Course, CourseError, Format, Sheet, Student, hint
 from .console import say
 from .gradebook import Gradebook, OvertakenError
+from .holding import Holding
+from .record import Record, canonical
 from .release import Order, write_all, write_solutions
 from .secret import read_secret
 from .sheet.given import printed
-from .variant import Record, canonical, draw_record
+from .variant import draw_record
 from .variant_code import variant_code
 
 
@@ -95,9 +97,14 @@ def generate(
     for sheet in sheets:
         exercises = exercises_of(course, sheet)
         draws = _Draws(secret, sheet, exercises, gradebook)
+        holding = Holding(course, sheet.name, sheet.exercises)
         new = [student for student in course.students if _is_new(course, sheet, student)]
-        for _ in write_all(_orders(course, sheet, draws, step), exercises, expected=len(new)):
-            step()
+        orders = _orders(course, sheet, draws, holding, step)
+        try:
+            for _ in write_all(orders, exercises, expected=len(new)):
+                step()
+        finally:
+            holding.save()
         for student in course.students:
             if student.id not in draws.damaged:
                 path = _released(course, sheet, student)
@@ -106,7 +113,11 @@ def generate(
 
 
 def _orders(
-    course: Course, sheet: Sheet, draws: "_Draws", step: Callable[[], None]
+    course: Course,
+    sheet: Sheet,
+    draws: "_Draws",
+    holding: Holding,
+    step: Callable[[], None],
 ) -> Iterator[Order]:
     """What is to be written for every student, whose numbers are recorded before that."""
     for student in course.students:
@@ -115,7 +126,7 @@ def _orders(
             say(f"{student.id}, sheet {sheet.name}: {damage}")
             step()
             continue
-        records = _recorded(draws, student, _released(course, sheet, student, "ipynb"))
+        records = _recorded(draws, student, _released(course, sheet, student, "ipynb"), holding)
         yield _order(course, sheet, student, records, draws.all_of(student))
 
 
@@ -162,7 +173,7 @@ def _order(
     )
 
 
-def _recorded(draws: "_Draws", student: Student, path: Path) -> list[Record]:
+def _recorded(draws: "_Draws", student: Student, path: Path, holding: Holding) -> list[Record]:
     """A student's records, drawn and saved where they were not."""
     while True:
         fresh = draws.complete(student)
@@ -175,6 +186,8 @@ def _recorded(draws: "_Draws", student: Student, path: Path) -> list[Record]:
         except OvertakenError:  # what another kinegrade drew in the meantime holds
             draws.read()
         else:
+            for record in fresh:
+                holding.add(record)
             return records
 
 

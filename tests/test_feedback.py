@@ -12,9 +12,9 @@ from courses import lever, make_course, sheet
 from kinegrade.course.config import Student, read_course
 from kinegrade.course.feedback import LOST, write_feedback
 from kinegrade.course.gradebook import Mark
-from kinegrade.course.grading import Result
 from kinegrade.course.own_sheet import own_questions
 from kinegrade.course.position import position
+from kinegrade.course.results import Result
 from kinegrade.course.sentences import sentence
 from kinegrade.course.term.opinions import Opinions, answer_id
 from kinegrade.course.variant import Record, fingerprint

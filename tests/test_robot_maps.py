@@ -4,7 +4,8 @@ import os
 
 import pytest
 from kinegrade.course import robot_maps
-from kinegrade.course.robot_maps import LOST, cache_folder, write_maps
+from kinegrade.course.kept import cache_folder
+from kinegrade.course.robot_maps import LOST, write_maps
 from kinegrade.solutions.robots import ROBOTS
 from webpage import Page
 
@@ -31,7 +32,7 @@ def test_a_map_is_drawn_once_for_all_courses_of_a_machine(tmp_path, drawn):
     for course in ("one", "one", "two"):
         assert write_maps(tmp_path / course, "Tests", PLANAR) == "robots.html"
     assert drawn == PLANAR
-    assert pngs(tmp_path / "one") == pngs(tmp_path / "two") == pngs(cache_folder())
+    assert pngs(tmp_path / "one") == pngs(tmp_path / "two") == pngs(cache_folder() / "maps")
 
 
 def test_the_page_shows_and_describes_every_robot(tmp_path, drawn):

@@ -61,7 +61,7 @@ for name in ("resource", "fcntl", "pwd", "grp", "termios", "tty", "pty"):
 import kinegrade.course.check
 from kinegrade.course.config import read_course
 from kinegrade.course.gradebook import Gradebook
-from kinegrade.course.grading import SheetMarker
+from kinegrade.course.marker import SheetMarker
 sys.platform = "win32"  # not before: the standard library looks at it, too
 course = read_course(Path(sys.argv[1]))
 with Gradebook(course.folder / "gradebook.sqlite") as gradebook:

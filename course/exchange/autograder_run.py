@@ -13,14 +13,14 @@ from shutil import copy, copytree
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from ...grader.jail.jail import Jail
 from ...grader.jail.level import Permission
 from ...solutions.errors import KinegradeError
 from ..config import Course, Settings, Sheet, Student
 from ..errors import CourseError
 from ..files import write_atomically
 from ..gradebook import FILE, Gradebook
-from ..grading import SheetMarker
+from ..marker import SheetMarker
+from ..marking import this_machine
 from ..results import Result
 from ..sheets import exercises_of
 from .archive import opened_download
@@ -102,9 +102,11 @@ def _hand_in(course: Course, sheet: Sheet, student: Student, submission: Path) -
 
 
 def _result(course: Course, sheet: Sheet, permission: Permission) -> Result:
-    packages = course.settings.packages.allow
-    with Gradebook(course.folder / FILE) as gradebook, Jail(permission, packages) as jail:
-        (result,) = SheetMarker(course, gradebook, sheet, jail=jail).results()
+    with (
+        Gradebook(course.folder / FILE) as gradebook,
+        this_machine(course, permission) as machine,
+    ):
+        (result,) = SheetMarker(course, gradebook, sheet, place=machine).results()
     if all(verdict.points is None for verdict in result.verdicts):
         reasons = {finding.text for one in result.verdicts for finding in one.findings}
         raise CourseError(result.reason or " ".join(sorted(reasons)))

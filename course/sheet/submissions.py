@@ -2,7 +2,7 @@
 
 import logging
 import os
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import product
 from pathlib import Path
@@ -84,8 +84,16 @@ class Submission:
             left -= len(found[name])
         return found
 
-    def raws(self, asks: Sequence[Ask], limits: Limits, jail: Jail | None = None) -> dict[str, Raw]:
+    def raws(
+        self,
+        asks: Sequence[Ask],
+        limits: Limits,
+        jail: Jail | None = None,
+        beside: Mapping[str, bytes] | None = None,
+    ) -> dict[str, Raw]:
         """The asked values; runs the notebook, or reads the file of matrices.
+
+        Files `beside` the notebook are looked for where they are not given.
 
         Raises:
             JailError: no notebook can run on this machine as it should.
@@ -104,7 +112,9 @@ class Submission:
         if self.path.suffix != NOTEBOOK:
             return found | READERS[self.path.suffix](self.data, asked, limits)
         if asked:
-            found |= collect(self.data, asked, limits, jail=jail, beside=self.beside())
+            if beside is None:
+                beside = self.beside()
+            found |= collect(self.data, asked, limits, jail=jail, beside=beside)
             for ask in asked:
                 if ask.calls:
                     found[ask.name] = _called(found[ask.name])
