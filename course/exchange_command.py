@@ -1,5 +1,6 @@
 """The commands that exchange files with other systems: collect, handout, handback, export."""
 
+from datetime import UTC, datetime
 from pathlib import Path
 from typing import Annotated
 
@@ -93,9 +94,12 @@ def handout(
     from .exchange.handouts import for_moodle, plain
     from .exchange.worksheet import read_worksheet
     from .leftovers import cleared
+    from .times import time_text
 
     course = read_course(folder)
     (chosen,) = course.sheets((sheet,))
+    if chosen.release is not None and chosen.release > datetime.now(UTC):
+        say(f"Sheet {sheet} is for {time_text(chosen.release)}; do not hand it out before.")
     place = output or folder / OUTPUT
     with cleared(folder):
         print(plain(course, chosen, place))  # noqa: T201 - data of the command

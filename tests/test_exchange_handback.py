@@ -108,6 +108,14 @@ def test_other_points_in_moodle_are_refused_unless_they_are_to_be_converted(hand
     assert [row[5] for row in table[1:]] == ["100", "70", "3.50"]
 
 
+def test_a_sheet_that_is_not_released_yet_is_said_to_be_early(kinegrade, tmp_path):
+    make_course(tmp_path, more="release = 2999-01-01T08:00:00Z\n")
+    handed_out(tmp_path)
+    ran = kinegrade("handout", "one", "-c", tmp_path)
+    assert ran.code == 0
+    assert "is for Tuesday, 1 January 2999, 08:00 (UTC); do not hand it out before" in ran.err
+
+
 @pytest.mark.parametrize("system", ["moodle", "canvas", "csv", "nbgrader"])
 def test_what_is_not_graded_is_an_empty_cell_and_never_a_zero(handback, folder, system):
     let_wait(folder, "ada")

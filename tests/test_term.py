@@ -360,6 +360,7 @@ def test_published_marks_stay_until_they_are_published_again(tmp_path, kinegrade
     kinegrade("marks", "set", "ada", "lever_J", "3", *at)
     kinegrade("report", *at)
     result = recorded(course)["ada"]
+    assert result.by_now is not None
     assert (result.points, result.by_now.points) == (told, 5)
     assert f"{told:g} / 5" in page(course, "ada")
     report = (tmp_path / "report" / "index.html").read_text(encoding="utf-8")
