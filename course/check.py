@@ -24,8 +24,7 @@ from .adjusting import adjusted_here
 from .config import CourseError, LimitsTable, Mode, PackagesTable, Sheet
 from .drawn import drawn
 from .escape import printable
-from .sheet.notebook import KEY
-from .sheet.submissions import read_submission
+from .sheet.submissions import KEY, read_submission
 
 MOST_PLACES = 6  # of wrong entries that are named
 SAMPLES = 12  # draws that show which answers hang on numbers that the sheet does not print

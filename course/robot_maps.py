@@ -17,18 +17,20 @@ from .pages import template, write_page
 from .rules import reached
 
 log = logging.getLogger(__name__)
+LOST = "The map of this robot could not be drawn; nothing else depends on it."
 DRAWS = "kinegrade.grader.figures.maps"
 """What the maps are drawn by, with all that it imports."""
 
 
 def write_maps(folder: Path, title: str, robots: Iterable[str]) -> str:
-    """report/robots.html with a map of each robot; its name, empty where there is none."""
+    """report/robots.html with a map, or a sentence, for each robot; its name, empty without any."""
     figures: list[dict[str, str]] = []
     for name in sorted(robots):
         try:
             figures.append(_figure(folder, name))
         except Exception:  # a report does not wait for a picture
             log.exception("the map of %s is left out of the report", name)
+            figures.append({"file": "", "title": name, "alt": LOST})
     if not figures:
         return ""
     html = template("robots.html").render(course=title, figures=figures)

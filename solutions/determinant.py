@@ -212,7 +212,7 @@ def _moving(robot: Robot, factors: Iterable[NamedFactor]) -> tuple[sp.Expr, list
     found: list[NamedFactor] = []
     for name, expression, power in factors:
         if expression.free_symbols & joints:
-            whole = with_whole_squares(sp.sympify(expression.xreplace(back)))
+            whole = with_whole_squares(expression.xreplace(back))
             found.append((name or str(whole), whole, power))
         else:
             content *= expression**power

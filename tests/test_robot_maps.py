@@ -4,7 +4,7 @@ import os
 
 import pytest
 from kinegrade.course import robot_maps
-from kinegrade.course.robot_maps import cache_folder, write_maps
+from kinegrade.course.robot_maps import LOST, cache_folder, write_maps
 from kinegrade.solutions.robots import ROBOTS
 from webpage import Page
 
@@ -107,4 +107,7 @@ def test_a_map_that_fails_costs_neither_the_others_nor_the_report(
     monkeypatch.setattr("kinegrade.grader.figures.maps.picture", picture)
     assert write_maps(tmp_path, "Tests", ["puma560", *PLANAR]) == "robots.html"
     assert [name.partition("-")[0] for name in pngs(tmp_path)] == ["puma560"]
+    page = (tmp_path / "robots.html").read_text(encoding="utf-8")
+    assert page.count("<img") == 1
+    assert page.count(LOST) == 1
     assert "the map of planar_2r is left out" in caplog.text

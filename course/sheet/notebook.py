@@ -11,10 +11,9 @@ from .heading import heading, row_orders, solution_heading
 from .notebook_file import code_cell, folded_cell, markdown_cell, notebook_file
 from .question import figures_text, prompt_text, question_text
 from .self_check import self_check
+from .submissions import KEY
 from .worked import rubric
 
-KEY = "kinegrade"
-"""What a notebook says of itself stands under this key of its metadata."""
 IMPORTS = "import numpy as np"
 SELF_CHECK = (
     "## Self-check\n\nRun the folded cell below at any time. It sees what is there, not whether it "

@@ -21,6 +21,8 @@ from ..config import CourseError
 from ..escape import printable
 
 log = logging.getLogger(__name__)
+KEY = "kinegrade"
+"""What a notebook says of itself stands under this key of its metadata."""
 MAX_BYTES = 25 << 20
 MAX_NOTEBOOK = 200 << 20  # outputs included, which are dropped before anything else
 MAX_BESIDE = 32 << 20  # of the files beside a notebook

@@ -31,6 +31,8 @@ class Failures:
 
     def forget(self, source):
         """Drops the errors of what a cell has now set."""
+        if not self.by_name:
+            return
         for name in assigned_names(source):
             self.by_name.pop(name, None)
 

@@ -16,6 +16,7 @@ from .syscalls import NoFilterError
 from .zygote import End, LostError, Order, Zygote
 
 FOR_MANY = ("numpy", "sympy", "IPython.core.inputtransformer2", "matplotlib.pyplot")
+NOT_TO_BE_HAD = (JailError, NoFilterError, NoBubblewrapError, OSError)
 FOR_ONE = ("numpy",)  # loading what one notebook may not need takes longer than it saves
 
 
@@ -74,8 +75,25 @@ class Jail:
             return self._idle.get_nowait()
         except Empty:
             compiled(self._preload)
-            start = self._starter.submit(Zygote, self.level, self._packages, self._preload)
-            return start.result()
+            return self._untried() or self._started(self.level)
+
+    def _untried(self) -> Zygote | None:
+        """The first one at the best permitted level, before anything was tried out.
+
+        A level that works need not be tried by a process of its own.
+        """
+        if self._level is not None or not on_linux():
+            return None
+        best, *_ = self.permission.levels()
+        try:
+            zygote = self._started(best)
+        except NOT_TO_BE_HAD:
+            return None
+        self._level = best
+        return zygote
+
+    def _started(self, level: Level) -> Zygote:
+        return self._starter.submit(Zygote, level, self._packages, self._preload).result()
 
     def close(self) -> None:
         """Ends all zygotes; the next notebook starts new ones."""
@@ -126,7 +144,7 @@ def missing(level: Level) -> str:
     """Why a level does not work on this machine, tried out; empty where it does."""
     try:
         Zygote(level, (), ()).close()
-    except (JailError, NoFilterError, NoBubblewrapError, OSError) as error:
+    except NOT_TO_BE_HAD as error:
         return str(error)
     return ""
 
