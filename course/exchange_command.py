@@ -34,29 +34,32 @@ WorksheetOption = Annotated[
 ]
 
 
+FromOption = Annotated[
+    str,
+    typer.Option(
+        "--from", help="moodle, canvas, gradescope, nbgrader or classroom; else it is found out."
+    ),
+]
+ReceivedOption = Annotated[
+    str,
+    typer.Option(
+        "--received",
+        help="When files came in of which the download says no time and not that they are late, "
+        "such as 2026-11-23T23:59.",
+    ),
+]
+
+
 @exchange.command()
 def collect(
     download: Annotated[Path, typer.Argument(help="A zip file or a folder.")],
-    system: Annotated[
-        str,
-        typer.Option(
-            "--from",
-            help="moodle, canvas, gradescope, nbgrader or classroom; else it is found out.",
-        ),
-    ] = "",
+    system: FromOption = "",
     worksheet: WorksheetOption = None,
     sheet: Annotated[
         str, typer.Option("--sheet", help="The sheet, for files that do not say which.")
     ] = "",
     zone: ZoneOption = "",
-    received: Annotated[
-        str,
-        typer.Option(
-            "--received",
-            help="When files came in of which the download says no time and not that they are "
-            "late, such as 2026-11-23T23:59.",
-        ),
-    ] = "",
+    received: ReceivedOption = "",
     folder: CourseOption = Path(),
 ) -> None:
     """Take what was handed in from a system's download into submitted/, with the times."""

@@ -11,7 +11,9 @@ from downloads import (
     GRADESCOPE,
     MOODLE,
     MOODLE_BLIND,
+    MOODLE_FRENCH,
     MOODLE_GERMAN,
+    MOODLE_SPANISH,
     linked,
     sheet_of,
     without_metadata,
@@ -93,7 +95,15 @@ ben,one,one.json,2026-11-24T00:59:00+01:00
 """
 
 
-@pytest.mark.parametrize("worksheet", [MOODLE, MOODLE_GERMAN], ids=["English", "German"])
+LANGUAGES = {
+    "English": MOODLE,
+    "German": MOODLE_GERMAN,
+    "French": MOODLE_FRENCH,
+    "Spanish": MOODLE_SPANISH,
+}
+
+
+@pytest.mark.parametrize("worksheet", LANGUAGES.values(), ids=LANGUAGES)
 def test_the_worksheet_has_the_times_whatever_its_language(collect, folder, worksheet):
     ran = collect(
         {f"{ADA}/one.ipynb": sheet_of("ada"), f"{BEN}/one.json": b"{}"}, worksheet=worksheet
@@ -400,6 +410,13 @@ def test_canvas_is_recognized_and_its_numbers_are_those_of_its_gradebook(collect
     assert set(submitted(folder)) == {"ada/one.ipynb", "ben/one.json", "cyd/one.json"}
     assert "Called late there: somebody_LATE_4712_88002_one-1.json" in ran.err
     assert "3 files came without a time; Canvas's download has none" in ran.err
+
+
+def test_a_download_of_canvas_that_was_unpacked_and_packed_again_is_known(collect, folder):
+    files = {f"submissions/{name}": data for name, data in CANVAS_FILES.items()}
+    ran = collect(files, "--from", "canvas")
+    assert (ran.code, set(submitted(folder))) == (0, {"ada/one.json", "ben/one.json"})
+    assert "Called late there: submissions/botben_LATE_4712_88002_one.json" in ran.err
 
 
 def test_canvas_where_markers_are_blind_is_matched_by_the_sheet_inside(collect, folder):

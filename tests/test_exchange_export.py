@@ -77,12 +77,8 @@ def test_the_autograder_gives_the_marks_that_the_course_gives(autograder, marked
     assert [test["score"] for test in results["tests"]] == [2, 1.5]
     assert {test["visibility"] for test in results["tests"]} == {"visible"}
     assert "sign" in results["tests"][1]["output"]
-    assert results["extra_data"] == {
-        "sheet": "one",
-        "student": "ben",
-        "status": "graded",
-        "out_of": 5,
-    }
+    told = {"sheet": "one", "student": "ben", "status": "graded", "out_of": 5, "level": ""}
+    assert told.items() < results["extra_data"].items()
 
 
 def test_the_autograder_holds_no_secret_and_nothing_that_was_handed_in(autograder, marked):
@@ -120,6 +116,7 @@ def test_code_of_a_student_reads_no_answers_in_the_container(autograder, marked)
     (root / "submission" / "one.ipynb").write_bytes(sheet_of("ada", cell))
     assert autograder_run.main(root) == 0
     assert results_of(root)["tests"][0]["score"] == 0
+    assert results_of(root)["extra_data"]["level"] in ("strong", "medium")
 
 
 REFUSALS = {
@@ -152,6 +149,26 @@ def test_without_walls_no_notebook_is_run_there(autograder, capsys, monkeypatch)
     assert autograder_run.main(root) == 1
     assert "level strong is not to be had: a container" in capsys.readouterr().out
     assert not (root / "results").exists()
+
+
+@pytest.mark.parametrize("more", [(), ("--accept-medium",)])
+def test_how_far_the_walls_may_go_down_is_said_by_the_instructor(kinegrade, marked, tmp_path, more):
+    kinegrade("export", "gradescope", "one", "-c", marked, "-o", tmp_path / "a.zip", *more)
+    with zipfile.ZipFile(tmp_path / "a.zip") as archive:
+        about = json.loads(archive.read("course.json"))
+    assert about["accept_medium"] is bool(more)
+
+
+def test_deadlines_are_left_to_gradescope(kinegrade, marked, tmp_path):
+    course = copytree(marked, tmp_path / "course")
+    settings = course / "course.toml"
+    settings.write_text(
+        f"{settings.read_text()}deadline = 2020-01-01T00:00:00\ncloses = 2020-01-02T00:00:00\n"
+    )
+    kinegrade("export", "gradescope", "one", "-c", course, "-o", tmp_path / "a.zip")
+    with zipfile.ZipFile(tmp_path / "a.zip") as archive:
+        (sheet,) = json.loads(archive.read("course.json"))["settings"]["sheet"]
+    assert (sheet["deadline"], sheet["closes"]) == (None, None)
 
 
 def test_a_sheet_that_was_not_drawn_has_no_autograder(kinegrade, tmp_path):

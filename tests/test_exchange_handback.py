@@ -12,7 +12,17 @@ from shutil import copytree
 
 import pytest
 from courses import hand_in, handed_out, make_course, right_answers
-from downloads import CANVAS, MOODLE, MOODLE_BLIND, MOODLE_GERMAN, sheet_of, written, zip_file
+from downloads import (
+    CANVAS,
+    MOODLE,
+    MOODLE_BLIND,
+    MOODLE_FRENCH,
+    MOODLE_GERMAN,
+    MOODLE_SPANISH,
+    sheet_of,
+    written,
+    zip_file,
+)
 from kinegrade.course.exchange import handed_back
 from kinegrade.course.exchange.worksheet import read_worksheet
 from kinegrade.course.gradebook import Gradebook, GradeKey
@@ -91,11 +101,13 @@ def test_a_worksheet_goes_back_in_its_own_form(tmp_path):
     ]
 
 
-def test_a_german_worksheet_gets_decimal_commas(handback, folder):
-    more = MOODLE_GERMAN.replace("5,00", "7,50")
+@pytest.mark.parametrize("worksheet", [MOODLE_GERMAN, MOODLE_FRENCH, MOODLE_SPANISH])
+def test_a_worksheet_with_decimal_commas_gets_decimal_commas(handback, folder, worksheet):
+    more = worksheet.replace("5,00", "7,50")
     assert handback("moodle", "--scale", worksheet=more).code == 0
     table = rows_of((folder / "exchange" / "one-moodle.csv").read_text())
     assert [row[4] for row in table[1:]] == ["7,5", "5,25", ""]
+    assert table[1][9].startswith("5 of 5 points.")
 
 
 def test_other_points_in_moodle_are_refused_unless_they_are_to_be_converted(handback, folder):

@@ -8,6 +8,7 @@ import json
 import sys
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
+from importlib.metadata import version
 from pathlib import Path
 from shutil import copy, copytree
 from tempfile import TemporaryDirectory
@@ -63,9 +64,14 @@ def marked_submission(root: Path) -> dict[str, Any]:
         course = Course(folder, Settings.model_validate(about["settings"]), (student,))
         (sheet,) = course.sheets((about["sheet"],))
         _hand_in(course, sheet, student, root / "submission")
-        result = _result(course, sheet, Permission(accept_medium=about["accept_medium"]))
+        with Gradebook(folder / FILE) as gradebook:
+            permission = Permission(accept_medium=about["accept_medium"])
+            result = _result(course, gradebook, sheet, permission)
+            level = gradebook.noted_level()
         marked = Marked(course, sheet, exercises_of(course, sheet), [result])
-        return gradescope_results(marked, result)
+        results = gradescope_results(marked, result)
+        results["extra_data"] |= {"level": level, "kinegrade": version("kinegrade")}
+        return results
 
 
 def _students(listed: Iterable[Any]) -> Iterable[Student]:
@@ -101,11 +107,8 @@ def _hand_in(course: Course, sheet: Sheet, student: Student, submission: Path) -
         raise CourseError(f"no answers to sheet {sheet.name} were found: {why}")
 
 
-def _result(course: Course, sheet: Sheet, permission: Permission) -> Result:
-    with (
-        Gradebook(course.folder / FILE) as gradebook,
-        this_machine(course, permission) as machine,
-    ):
+def _result(course: Course, gradebook: Gradebook, sheet: Sheet, permission: Permission) -> Result:
+    with this_machine(course, permission) as machine:
         (result,) = SheetMarker(course, gradebook, sheet, place=machine).results()
     if all(verdict.points is None for verdict in result.verdicts):
         reasons = {finding.text for one in result.verdicts for finding in one.findings}

@@ -44,7 +44,7 @@ def uploads(contents: Contents) -> Iterator[Upload]:
 
 def is_late(upload: Upload) -> bool:
     """Whether Canvas calls a file late."""
-    start = upload.file.path.parts[0].removesuffix(upload.name)
+    start = upload.file.path.name.removesuffix(upload.name)
     return "_LATE_" in start
 
 

@@ -1,6 +1,6 @@
 """A download taken into a course: which system it is from, and how that one is read."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime, tzinfo
 from pathlib import Path
@@ -104,20 +104,30 @@ def collect(course: Course, download: Path, wanted: Wanted | None = None) -> Tak
         course.sheets((wanted.sheet,))
     with opened_download(download) as contents:
         system = _system(download, contents, wanted.system)
-        table: list[Person] = []
-        if wanted.worksheet is not None:
-            table += system.persons(read_worksheet(wanted.worksheet), wanted.zone)
-        people = People(course.students, table)
+        people = _people(course, system, wanted)
         found = [_timed(upload, system, wanted) for upload in system.uploads(contents, people)]
         taken = take(course, look(course, people, found, wanted.sheet))
         taken.conflicts[:0] = contents.refused
+    taken.notes += _on_times(system, found)
+    return taken
+
+
+def _people(course: Course, system: System, wanted: Wanted) -> People:
+    """The roster, with what the system's table says of numbers."""
+    if wanted.worksheet is None:
+        return People(course.students)
+    table = system.persons(read_worksheet(wanted.worksheet), wanted.zone)
+    return People(course.students, table)
+
+
+def _on_times(system: System, found: Sequence[Upload]) -> Iterator[str]:
+    """What is said of files that came late, or without a time."""
     late = [upload.place for upload in found if system.is_late(upload)]
     if late:
-        taken.notes.append(f"Called late there: {', '.join(late)}")
+        yield f"Called late there: {', '.join(late)}"
     timeless = [upload for upload in found if upload.received is None]
     if timeless:
-        taken.notes.append(f"{len(timeless)} files came without a time; {system.without_times}")
-    return taken
+        yield f"{len(timeless)} files came without a time; {system.without_times}"
 
 
 def _timed(upload: Upload, system: System, wanted: Wanted) -> Upload:
