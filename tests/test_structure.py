@@ -154,6 +154,7 @@ UNWRITTEN = {
     "build",
     "dist",
     "demo-course",
+    "gallery",
 }
 
 
