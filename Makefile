@@ -1,9 +1,9 @@
-# `make demo` shows the whole path, `make test` proves it, `make validate` proves the exercises, and `make density`
-# prints how dense the code is. Each builds .venv when it is missing.
+# `make demo` shows the whole path, `make test` proves it, `make validate` proves the exercises, `make gallery` draws every
+# robot into docs/gallery, and `make density` prints how dense the code is. Each builds .venv when it is missing.
 PYTHON ?= python3
 BIN := .venv/bin
 
-.PHONY: demo test validate density clean
+.PHONY: demo test validate gallery density clean
 
 demo: .venv/product
 	$(BIN)/kinegrade demo
@@ -16,6 +16,9 @@ test: .venv/tests
 
 validate: .venv/product
 	$(BIN)/kinegrade validate --draws 100
+
+gallery: .venv/product
+	$(BIN)/python -m kinegrade.course.gallery docs/gallery
 
 density: .venv/density
 	$(BIN)/python benchmarks/density.py
@@ -36,4 +39,4 @@ density: .venv/density
 	touch $@
 
 clean:
-	rm -rf .venv demo-course build dist *.egg-info
+	rm -rf .venv demo-course docs/gallery build dist *.egg-info

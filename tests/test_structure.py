@@ -175,6 +175,7 @@ UNWRITTEN = {
     "build",
     "dist",
     "demo-course",
+    "gallery",
 }
 
 
