@@ -1,9 +1,9 @@
 # pyright: basic
-"""Marking a class: processor time per further submission, memory per process, two cores against one.
+"""Marking a class: processor time per submission, memory per process, two cores against one.
 
-`python benchmarks/class_run.py` builds classes of two sizes, whose students hand in notebooks of three exercises with
-the habits of the demonstration, and marks them with `kinegrade grade`. What a further submission costs is the slope
-between the two sizes. Nothing is asserted; trust the ratios.
+`python benchmarks/class_run.py` builds classes of two sizes, whose students hand in notebooks of
+three exercises with the habits of the demonstration, and marks them with `kinegrade grade`. What a
+further submission costs is the slope between the two sizes. Nothing is asserted; trust the ratios.
 """
 
 import os
@@ -25,7 +25,7 @@ from kinegrade.course.files import write_atomically
 from kinegrade.course.gradebook import Gradebook
 from kinegrade.course.habits import HABITS, Code, Habit
 from kinegrade.course.sheets import exercises_of, generate
-from kinegrade.exercises.exercise import Exercise, references
+from kinegrade.exercises.exercise import Exercise, Part, references
 
 SIZES = (60, 120)
 TIMES = 3
@@ -34,11 +34,18 @@ EXERCISES = ("three_axis", "rrt", "puma_velocities")
 COMMAND = (sys.executable, "-c", "from kinegrade.course.cli import main; main()")
 WAITS = "loop"  # a notebook that waits for its time to be over measures nothing
 MB = 1 << 20
+TASKSET = shutil.which("taskset") or sys.exit("taskset is not installed (apt install util-linux)")
 
 
 @dataclass(frozen=True)
 class Run:
-    """One `kinegrade grade`: seconds on the clock and of all processes, and the most memory of each kind. [MB]"""
+    """One `kinegrade grade`.
+
+    Attributes:
+        wall: On the clock. [s]
+        cpu: Of all processes. [s]
+        memory: The most that a process of each kind ever had. [MB]
+    """
 
     wall: float
     cpu: float
@@ -84,7 +91,7 @@ def hand_in(
     write_atomically(submitted, fill_in(released.read_bytes(), cells))
 
 
-def written(part, answer) -> str:
+def written(part: Part, answer: object) -> str:
     if isinstance(answer, Code):
         return answer.text
     return part.answer.code(part.variable, answer).replace("nan", "np.nan")
@@ -103,7 +110,7 @@ def timed(words: list[str], cores: int) -> Run:
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     start = time.perf_counter()
     process = subprocess.Popen(
-        ["taskset", "-c", ",".join(map(str, allowed)), *words],
+        [TASKSET, "-c", ",".join(map(str, allowed)), *words],
         stdout=subprocess.DEVNULL,
         stderr=subprocess.PIPE,
         env={name: text for name, text in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"},
@@ -200,8 +207,8 @@ def show(runs: Mapping[tuple[int, int], list[Run]]) -> None:
         wall = slope(runs, cores, "wall")
         hours = cpu * 100_000 / 3600
         print(
-            f"{cores} core(s): a further submission takes {cpu:.3f} s of the processor, {wall:.3f} s on the clock; "
-            f"100,000 take {hours:.1f} core-hours"
+            f"{cores} core(s): a further submission takes {cpu:.3f} s of the processor and "
+            f"{wall:.3f} s on the clock; 100,000 take {hours:.1f} core-hours"
         )
     for size in (small, large):
         pairs = zip(runs[size, 1], runs[size, max(cores for _, cores in runs)], strict=True)
