@@ -151,6 +151,13 @@ def grade(
             help="Run notebooks without walls where none can be had; the marks say so.",
         ),
     ] = False,
+    cluster: Annotated[
+        str,
+        typer.Option(
+            "--cluster",
+            help="Mark on the workers of a Dask scheduler, such as tcp://127.0.0.1:8786.",
+        ),
+    ] = "",
     as_json: JsonOption = False,
 ) -> None:
     """Mark what was handed in; write grades.csv, feedback and the report."""
@@ -160,7 +167,7 @@ def grade(
 
     with opened(folder, place) as (course, gradebook):
         chosen = course.sheets(tuple(sheets or ()))
-        how = How(accept_change, again, Permission(accept_medium, unsafe))
+        how = How(accept_change, again, Permission(accept_medium, unsafe), cluster)
         marked = mark_sheets(course, gradebook, chosen, how)
         level = level_line(gradebook.noted_level())
         if not as_json:

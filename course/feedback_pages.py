@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import closing
 from dataclasses import dataclass
+from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
@@ -23,6 +24,8 @@ from .record import Record, digest
 from .results import Result
 
 PAGES = "pages"
+LIBRARIES = ("kinegrade", "numpy", "jinja2", "latex2mathml", "markdown-it-py")
+"""What pages are made with."""
 
 
 @dataclass(frozen=True)
@@ -137,6 +140,7 @@ def _shows(page: Page) -> str:
         "result": unpacked(Result, packed(page.result)),  # 2 points are 2.0 points
         "exercises": [text.hash for text in page.exercises],
         "code": code_hash(),
+        "libraries": [version(name) for name in LIBRARIES],
         "released": _content(page.released),
     }
     return digest(packed(about))

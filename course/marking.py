@@ -44,11 +44,13 @@ class How:
         accept_change: Whether moved references become the recorded ones.
         again: Whether marked files are marked anew.
         permission: How far down the walls around notebooks may go.
+        cluster: The address of a Dask scheduler that it is marked by; else here.
     """
 
     accept_change: bool = False
     again: bool = False
     permission: Permission = STRONG
+    cluster: str = ""
 
 
 def mark_sheets(
@@ -57,11 +59,13 @@ def mark_sheets(
     """Marks sheets with a progress bar and writes all that follows from the marks.
 
     Raises:
-        JailError: there are notebooks to run, and no permitted level works here.
+        JailError: there are notebooks to run, and no permitted level works there.
+        ClusterError: the cluster cannot be used.
     """
     how = how or How()
     with this_machine(course, how.permission) as machine:
-        marked = _marked_in(machine, course, gradebook, sheets, how)
+        with _marking_place(course, how, machine) as place:
+            marked = _marked_in(place, course, gradebook, sheets, how)
         write_results(course, gradebook, _with_recorded(course, gradebook, marked), machine)
     return marked
 
@@ -72,11 +76,15 @@ def marked_sheets(
     """Marks sheets with a progress bar; the marks stand in the gradebook and nowhere else.
 
     Raises:
-        JailError: there are notebooks to run, and no permitted level works here.
+        JailError: there are notebooks to run, and no permitted level works there.
+        ClusterError: the cluster cannot be used.
     """
     how = how or How()
-    with this_machine(course, how.permission) as machine:
-        return _marked_in(machine, course, gradebook, sheets, how)
+    with (
+        this_machine(course, how.permission) as machine,
+        _marking_place(course, how, machine) as place,
+    ):
+        return _marked_in(place, course, gradebook, sheets, how)
 
 
 @contextmanager
@@ -85,6 +93,19 @@ def this_machine(course: Course, permission: Permission | None = None) -> Genera
     allowed = course.settings.packages.allow
     with Jail(permission, allowed) as jail, closing(ThisMachine(jail, allowed)) as machine:
         yield machine
+
+
+@contextmanager
+def _marking_place(course: Course, how: How, machine: Place) -> Generator[Place]:
+    """Where submissions are marked; pages are written on this machine in any case."""
+    if not how.cluster:
+        yield machine
+        return
+    from .grading.cluster import Cluster
+
+    allowed = course.settings.packages.allow
+    with closing(Cluster(how.cluster, how.permission, allowed)) as cluster:
+        yield cluster
 
 
 def _marked_in(

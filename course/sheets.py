@@ -98,7 +98,7 @@ def generate(
         exercises = exercises_of(course, sheet)
         draws = _Draws(secret, sheet, exercises, gradebook)
         holding = Holding(course, sheet.name, sheet.exercises)
-        new = [student for student in course.students if _is_new(course, sheet, student)]
+        new = {student.id for student in course.students if _is_new(course, sheet, student)}
         orders = _orders(course, sheet, draws, holding, step)
         try:
             for _ in write_all(orders, exercises, expected=len(new)):
@@ -108,7 +108,7 @@ def generate(
         for student in course.students:
             if student.id not in draws.damaged:
                 path = _released(course, sheet, student)
-                done.append(Released(student.id, sheet.name, path, new=student in new))
+                done.append(Released(student.id, sheet.name, path, new=student.id in new))
     return done
 
 
@@ -209,30 +209,31 @@ class _Draws:
 
     def read(self) -> None:
         """Takes what the gradebook holds by now, and forgets what was drawn and not saved."""
-        self._records: dict[tuple[str, str], Record] = {}
+        self._records: defaultdict[str, dict[str, Record]] = defaultdict(dict)
         self._taken: defaultdict[str, set[str]] = defaultdict(set)  # numbers as `canonical` text
         for record in self.gradebook.records(self._sheet.name):
             self._add(record)
         self.damaged = self.gradebook.damaged(self._sheet.name)
 
     def _add(self, record: Record) -> None:
-        self._records[record.student, record.exercise] = record
+        self._records[record.student][record.exercise] = record
         self._taken[record.exercise].add(canonical(record.numbers))
 
     def of(self, student: Student) -> list[Record]:
         """A student's records in the order of the exercises."""
-        return [self._records[student.id, exercise.slug] for exercise in self.exercises]
+        own = self._records[student.id]
+        return [own[exercise.slug] for exercise in self.exercises]
 
     def all_of(self, student: Student) -> list[Record]:
         """A student's records, also of exercises that are no longer on the sheet."""
-        return [record for (owner, _), record in self._records.items() if owner == student.id]
+        return [*self._records[student.id].values()]
 
     def complete(self, student: Student) -> list[Record]:
         """Draws what was not drawn for the student before, and returns that."""
         fresh: list[Record] = []
         for exercise in self.exercises:
             slug = exercise.slug
-            if (student.id, slug) in self._records:
+            if slug in self._records[student.id]:
                 continue
             pinned = self._sheet.pinned.get(slug)
             record = draw_record(

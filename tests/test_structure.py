@@ -104,6 +104,7 @@ ROOM_OF = {
             for name in (
                 "config",
                 "console",
+                "code",
                 "cores",
                 "errors",
                 "escape",
@@ -246,9 +247,8 @@ def test_every_import_is_a_declared_dependency():
     names = {name.split(".")[0] for path in MODULES for name in imported(path)} - set(
         sys.stdlib_module_names
     )
-    lines = (
-        PROJECT["project"]["dependencies"] + PROJECT["project"]["optional-dependencies"]["matlab"]
-    )
+    extras = PROJECT["project"]["optional-dependencies"]
+    lines = PROJECT["project"]["dependencies"] + extras["matlab"] + extras["cluster"]
     declared = {re.split(r"[^\w-]", line)[0] for line in lines}
     assert {DISTRIBUTIONS.get(name, name) for name in names - {"kinegrade"}} <= declared
 

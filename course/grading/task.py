@@ -1,5 +1,6 @@
 """Kinds of work, as they travel: text in, text out, and nothing in it that is run."""
 
+import atexit
 import json
 from base64 import urlsafe_b64encode
 from collections.abc import Callable
@@ -79,4 +80,6 @@ def jail_there(walls: Walls) -> Jail:
 
 @cache
 def _jail(walls: Walls) -> Jail:
-    return walls.jail()
+    jail = walls.jail()
+    atexit.register(jail.close)
+    return jail

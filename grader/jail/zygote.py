@@ -13,8 +13,9 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
+from .folders import remove
 from .level import JailError, Level
-from .walls import Surroundings, remove, surroundings
+from .walls import Surroundings, surroundings
 
 MAX_FRAME = 2 << 20
 MAX_MESSAGE = 1 << 16
