@@ -50,7 +50,7 @@ def minors(robot: Robot) -> tuple[Determinant, ...]:
     """The determinants of the task block without joint 1, without joint 2, and so on, factored.
 
     The robot is singular where all of them are zero. Of the Panda's those are zero together where
-    q2 = 0 or pi and the first is; where cos q5 = 0 and so is the bracket of the sixth with q6; where
+    q2 = 0 or pi and the first is; where cos q5 = 0 and so is the factor of the sixth with q6; where
     sin q5 = 0 and a4 (a4 s4 - (d3 + d5) c4) = d3 d5 s4; and where q4 = 0 and (d3 + d5) s6 = -a7.
     All singular postures that searches from 3 000 places came to are of these four kinds.
 
