@@ -336,7 +336,7 @@ def test_a_gradebook_of_a_later_version_is_one_sentence(kinegrade, folder):
     with sqlite3.connect(folder / "gradebook.sqlite") as connection:
         connection.execute("UPDATE alembic_version SET version_num = '99'")
     connection.close()
-    assert "the gradebook has format 99; this version reads 2 and older" in complaint(
+    assert "the gradebook has format 99; this version reads 3 and older" in complaint(
         kinegrade("grade", "-c", folder)
     )
 
