@@ -107,6 +107,7 @@ def write_feedback(
         points=result_text(result),
         waiting=result.status == "not_graded",
         solved=sheet.show_solutions,
+        passed_over=result.passed_over,
         blocks=blocks,
         rules=_rules(course.settings.marking),
         marks=[(MARKS[status], status, words) for status, words in STATUS_WORDS.items()],

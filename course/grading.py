@@ -24,10 +24,12 @@ from .config import Course, CourseError, Sheet, Student
 from .gradebook import Gradebook, GradeKey
 from .handed_out import HandedOut
 from .marks import with_marks
+from .received import listed_times
 from .results import UNSAFE_STAMP, Result, recorded_results
 from .rules import rules_hash
 from .same_numbers import marked_for_it, same_numbers
-from .sheet.submissions import NOTEBOOK, Submission, find_submission, misnamed, passed_over
+from .sheet.handed_in import find_submission, misnamed
+from .sheet.submissions import Submission
 from .sheets import asked_parts, drop_solutions, exercises_of
 from .variant import Record, canonical, digest
 
@@ -96,6 +98,7 @@ class SheetMarker:
         files = exercise_files(course.folder / "exercises")
         self._hashes = [rules_hash(files[slug]) for slug in sheet.exercises]
         self._marks = gradebook.marks(sheet.name)
+        self._received = listed_times(course.folder / "submitted")
         self._handed_out = HandedOut(
             gradebook,
             sheet.name,
@@ -193,7 +196,9 @@ class SheetMarker:
         if student.id in self._damaged:
             return self._waits(student, self._damaged[student.id])
         try:
-            submission = find_submission(self.course.folder, student.id, self.sheet.name)
+            submission = find_submission(
+                self.course.folder, student.id, self.sheet.name, self._names, self._received
+            )
         except CourseError as error:
             return self._waits(student, str(error))
         if submission is None:
@@ -208,9 +213,12 @@ class SheetMarker:
         key = GradeKey(student.id, self.sheet.name, digest(submission.data), rules)
         return _Work(student, submission, records, moved, key)
 
+    @property
+    def _names(self) -> list[str]:
+        return [sheet.name for sheet in self.course.settings.sheet]
+
     def _no_submission(self, student: Student) -> str:
-        names = [sheet.name for sheet in self.course.settings.sheet]
-        other = misnamed(self.course.folder, student.id, names)
+        other = misnamed(self.course.folder, student.id, self._names)
         if not other:
             return "no submission"
         takes = f"the file takes the name {self.sheet.name}.ipynb"
@@ -238,7 +246,7 @@ class SheetMarker:
 
         What was run without walls is run again as soon as there are some.
         """
-        if submission.path.suffix != NOTEBOOK:
+        if not submission.is_run:
             return []
         followed: list[Any] = []
         for name, data in submission.beside().items():
@@ -264,7 +272,7 @@ class SheetMarker:
         Raises:
             JailError: there is a notebook among them, and none can run as it should.
         """
-        if any(work.submission.path.suffix == NOTEBOOK for work in todo):
+        if any(work.submission.is_run for work in todo):
             self.gradebook.note_level(self.jail.level)
         with ThreadPoolExecutor(max_workers=os.cpu_count() or 1) as pool:
             futures: dict[Future[dict[str, Raw]], _Work] = {}
@@ -307,8 +315,7 @@ class SheetMarker:
 
     def _stamped(self, work: _Work, verdicts: Sequence[Verdict]) -> Sequence[Verdict]:
         """With a note for the instructor, where a notebook was run without walls."""
-        notebook = work.submission.path.suffix == NOTEBOOK
-        if not notebook or self.jail.level is not Level.UNSAFE or not verdicts:
+        if not work.submission.is_run or self.jail.level is not Level.UNSAFE or not verdicts:
             return verdicts
         first, *others = verdicts
         return [replace(first, findings=(*first.findings, UNSAFE_STAMP)), *others]
@@ -360,11 +367,7 @@ class SheetMarker:
     def _result(self, work: _Work, verdicts: Sequence[Verdict]) -> Result:
         student = work.student
         marked = with_marks(verdicts, student.id, self._marks, self._parts)
-        sheets = [sheet.name for sheet in self.course.settings.sheet]
-        others = passed_over(
-            self.course.folder, student.id, self.sheet.name, sheets, work.submission.path
-        )
-        return Result(student, self.sheet.name, marked, passed_over=tuple(others))
+        return Result(student, self.sheet.name, marked, passed_over=work.submission.unread)
 
 
 def _raws_or_error(future: Future[dict[str, Raw]]) -> dict[str, Raw] | Exception:

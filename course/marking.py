@@ -19,7 +19,7 @@ from .gradebook import Gradebook
 from .grades import SheetResults, grades_csv
 from .grading import Result, SheetMarker, recorded_results
 from .report import write_report
-from .sheet.submissions import strangers
+from .sheet.handed_in import strangers
 from .sheets import exercises_of, renew_solutions
 from .tables import legend, terminal_table
 

@@ -6,6 +6,8 @@ from ..grader.marking.verdict import Finding, Verdict
 from .config import Course, Sheet, Student
 from .gradebook import Gradebook
 from .marks import with_marks
+from .received import listed_times
+from .sheet.handed_in import unread
 from .sheets import asked_parts, exercises_of
 
 UNSAFE_STAMP = Finding(
@@ -61,11 +63,13 @@ class Result:
 
 
 def recorded_results(course: Course, gradebook: Gradebook, sheet: Sheet) -> list[Result]:
-    """What the gradebook holds for every student of the roster; no submission is looked at."""
+    """What the gradebook holds for every student of the roster; no submission is marked."""
     current = gradebook.current(sheet.name)
     marks = gradebook.marks(sheet.name)
     damaged = gradebook.damaged(sheet.name)
     parts = asked_parts(exercises_of(course, sheet))
+    received = listed_times(course.folder / "submitted")
+    names = [one.name for one in course.settings.sheet]
 
     results: list[Result] = []
     for student in course.students:
@@ -74,5 +78,6 @@ def recorded_results(course: Course, gradebook: Gradebook, sheet: Sheet) -> list
             results.append(Result(student, sheet.name, reason=reason))
             continue
         verdicts = with_marks(current[student.id], student.id, marks, parts)
-        results.append(Result(student, sheet.name, verdicts))
+        others = unread(course.folder, student.id, sheet.name, names, received)
+        results.append(Result(student, sheet.name, verdicts, passed_over=others))
     return results

@@ -5,6 +5,7 @@ from typing import Any
 
 from ...exercises.exercise import Exercise, Manual
 from ..config import LimitsTable, PackagesTable, Sheet, Student
+from .about import KEY
 from .assignment import Assignment
 from .given import given_cell, printed
 from .heading import heading, row_orders, solution_heading
@@ -13,8 +14,6 @@ from .question import figures_text, prompt_text, question_text
 from .self_check import self_check
 from .worked import rubric
 
-KEY = "kinegrade"
-"""What a notebook says of itself stands under this key of its metadata."""
 IMPORTS = "import numpy as np"
 SELF_CHECK = (
     "## Self-check\n\nRun the folded cell below at any time. It sees what is there, not whether it "

@@ -20,6 +20,10 @@ class Notebook:
         self.prose = prose
         self.language = language
 
+    def where(self, index, _error):
+        """The cell of that index, counted as people do."""
+        return f"cell {index + 1}"
+
     def hint(self, name):
         """Why a name may be missing that stands in the file all the same; empty where it is not."""
         if self.language not in PYTHON:
