@@ -171,13 +171,22 @@ def _piece_of_text(token: Token) -> str:
 def _cells(rows: list[list[list[Token]]], depth: int) -> Any:
     found: Grid = []
     for row in rows:
-        found.append([_value(entry, depth - 1) for entry in row])
+        found.append([_cell(entry, depth - 1) for entry in row])
     cells = [cell for row in found for cell in row]
     if all(cell is None for cell in cells):
         return None
     if any(isinstance(cell, list) for cell in cells):
         return cells
     return found
+
+
+def _cell(entry: list[Token], depth: int) -> Any:
+    """The content of a cell; a cell array of one row in it is a list."""
+    value = _value(entry, depth)
+    if entry[0].text == "{" and isinstance(value, list):
+        rows = cast("Grid", value)
+        return rows[0] if len(rows) == 1 else rows
+    return value
 
 
 def _entry(tokens: Sequence[Token]) -> float | str:
