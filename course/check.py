@@ -65,7 +65,7 @@ def check_file(
         CourseError: a file cannot be read, or does not say which sheet it belongs to.
         ExerciseError: an exercise file of the course cannot be run.
     """
-    folders = _folders(path, exercises)
+    folders = exercise_folders(path, exercises)
     submission = read_handed_in(path)
     handout = read_handout(sheet) if sheet else handout_in(submission.data, submission.path)
     installed, missing = _installed(handout, folders)
@@ -103,7 +103,12 @@ def remark_lines(found: Iterable[Remark]) -> Iterator[str]:
             yield f"{'':30} {printable(line)}"
 
 
-def _folders(path: Path, exercises: Path | None) -> list[Path]:
+def exercise_folders(path: Path, exercises: Path | None) -> list[Path]:
+    """Where a course's own exercises are: the folder that is named, else those of `own_folders`.
+
+    Raises:
+        CourseError: what is named is no folder.
+    """
     if exercises is None:
         return own_folders(path)
     if not exercises.is_dir():

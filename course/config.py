@@ -47,16 +47,17 @@ class _Strict(BaseModel):
 class Sheet(_Strict):
     """One hand-out: its exercises in order, and what a check may tell before the deadline.
 
-    With `matlab`, students get a script to start from beside the notebook. With `show_solutions`,
-    which is for after the deadline, the feedback holds the worked solution. `pinned` holds, by
-    exercise, the choices of form that all students shall have alike, so that points mean the same
-    for everybody.
+    With `matlab` or `python`, students get a script to start from beside the notebook. With
+    `show_solutions`, which is for after the deadline, the feedback holds the worked solution.
+    `pinned` holds, by exercise, the choices of form that all students shall have alike, so that
+    points mean the same for everybody.
     """
 
     name: Name
     title: Title = ""
     mode: Mode = "graded"
     matlab: bool = False
+    python: bool = False
     show_solutions: bool = False
     exercises: Annotated[tuple[str, ...], Field(min_length=1, max_length=100)]
     pinned: Mapping[str, Mapping[str, Any]] = {}
