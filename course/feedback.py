@@ -93,6 +93,7 @@ def write_feedback(
         asking=how_to_ask(sheet.name),
         handing_in=rules_text(sheet),
         solved=sheet.show_solutions,
+        passed_over=result.passed_over,
         blocks=blocks,
         rules=_rules(course.settings.marking),
         marks=[(MARKS[status], status, words) for status, words in STATUS_WORDS.items()],

@@ -3,7 +3,9 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from importlib.metadata import version
+from pathlib import Path
 from typing import Any
+from zoneinfo import ZoneInfo
 
 from ..exercises.exercise import Exercise
 from ..grader.jail.level import Level
@@ -14,8 +16,10 @@ from .grading.work import waiting
 from .handed_out import HandedOut
 from .record import Record, canonical, digest
 from .results import Result
-from .sheet.submissions import NOTEBOOK, Submission, find_submission, misnamed
+from .sheet.handed_in import find_submission, misnamed
+from .sheet.submissions import Submission
 from .sheets import asked_parts
+from .term.received import listed_times
 
 NO_SHEET = "no sheet was generated for this student; `kinegrade generate` adds it"
 
@@ -28,6 +32,11 @@ class Arrival:
     submission: Submission
     beside: Mapping[str, bytes]
     key: GradeKey
+
+    @property
+    def file(self) -> Path:
+        """What was handed in: the file, or the archive in which it came."""
+        return self.submission.handed_in or self.submission.path
 
 
 class Incoming:
@@ -56,13 +65,17 @@ class Incoming:
         self._handed_out = handed_out
         self._damaged = damaged
         self._place = place
+        self._names = [one.name for one in course.settings.sheet]
+        self._received = listed_times(course.folder, ZoneInfo(course.settings.timezone))
 
     def of(self, student: Student) -> Arrival | Result:
         """A student's submission, or the reason why none can be marked."""
         if student.id in self._damaged:
             return self.waits(student, self._damaged[student.id])
         try:
-            submission = find_submission(self._course.folder, student.id, self._sheet.name)
+            submission = find_submission(
+                self._course.folder, student.id, self._sheet.name, self._names, self._received
+            )
         except CourseError as error:
             return self.waits(student, str(error))
         if submission is None:
@@ -82,8 +95,7 @@ class Incoming:
         return Result(student, self._sheet.name, verdicts, reason=reason)
 
     def _no_submission(self, student: Student) -> str:
-        names = [sheet.name for sheet in self._course.settings.sheet]
-        other = misnamed(self._course.folder, student.id, names)
+        other = misnamed(self._course.folder, student.id, self._names)
         if not other:
             return "no submission"
         takes = f"the file takes the name {self._sheet.name}.ipynb"
@@ -121,7 +133,7 @@ class Incoming:
 
         What was run without walls is run again as soon as there are some.
         """
-        if submission.path.suffix != NOTEBOOK:
+        if not submission.is_run:
             return []
         followed: list[Any] = [(name, digest(data)) for name, data in beside.items()]
         if self._course.settings.packages.allow:

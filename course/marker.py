@@ -27,7 +27,7 @@ from .incoming import Arrival, Incoming
 from .owners import Owners
 from .results import UNSAFE_STAMP, Result, standing
 from .same_numbers import marked_for_it, same_numbers, tells
-from .sheet.submissions import NOTEBOOK, passed_over
+from .sheet.submissions import RUN
 from .sheets import asked_parts, drop_solutions, exercises_of
 
 CHANGED = (
@@ -47,6 +47,7 @@ class _Job:
         file: Its name.
         others: Reference answers of others that are in it.
         peers: What others handed in, too.
+        unread: Names of other files for the sheet.
         came: What came out of it before.
     """
 
@@ -55,7 +56,13 @@ class _Job:
     file: str
     others: dict[str, dict[str, dict[str, Any]]]
     peers: Mapping[str, Mapping[str, Any]]
+    unread: tuple[str, ...]
     came: Came | None = None
+
+    @property
+    def is_run(self) -> bool:
+        """Whether it is a notebook or a script."""
+        return Path(self.file).suffix.lower() in RUN
 
 
 class SheetMarker:
@@ -163,7 +170,7 @@ class SheetMarker:
             found = self._incoming.of(student)
             if isinstance(found, Arrival):
                 jobs.append(_job(found))
-                self._arrived[student.id, found.key.submission] = found.submission.path
+                self._arrived[student.id, found.key.submission] = found.file
             else:
                 self._done[student.id] = found
                 step()
@@ -235,7 +242,7 @@ class SheetMarker:
         Raises:
             JailError: there is a notebook among them, and none can run as it should.
         """
-        if any(job.file.endswith(NOTEBOOK) and job.came is None for job in jobs):
+        if any(job.is_run and job.came is None for job in jobs):
             self.gradebook.note_level(self._place.level)
         with closing(self._place.run(MARK, self._works(jobs), len(jobs))) as results:
             for job, done in results:
@@ -252,7 +259,7 @@ class SheetMarker:
                 self._done[job.student.id] = found
                 continue
             came = job.came if found.key == job.key else None
-            fresh = replace(job, key=found.key, file=found.submission.path.name)
+            fresh = replace(_job(found), others=job.others, peers=job.peers, came=came)
             yield fresh, self._work(fresh, found, came)
 
     def _work(self, job: _Job, found: Arrival, came: Came | None) -> Work:
@@ -302,12 +309,9 @@ class SheetMarker:
 
     def _result(self, job: _Job, verdicts: Sequence[Verdict]) -> Result:
         student = job.student
-        sheets = [sheet.name for sheet in self.course.settings.sheet]
-        others = passed_over(
-            self.course.folder, student.id, self.sheet.name, sheets, Path(job.file)
-        )
-        return Result(student, self.sheet.name, tuple(verdicts), passed_over=tuple(others))
+        return Result(student, self.sheet.name, tuple(verdicts), passed_over=job.unread)
 
 
 def _job(found: Arrival) -> _Job:
-    return _Job(found.student, found.key, found.submission.path.name, {}, {})
+    submission = found.submission
+    return _Job(found.student, found.key, submission.path.name, {}, {}, submission.unread)

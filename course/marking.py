@@ -26,7 +26,7 @@ from .marker import SheetMarker
 from .report import write_report
 from .requests import read_requests
 from .results import Result, recorded_results
-from .sheet.submissions import strangers
+from .sheet.handed_in import strangers
 from .sheets import exercises_of, renew_solutions
 from .tables import legend, terminal_table
 from .term.received import FILE as RECEIPTS

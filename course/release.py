@@ -15,6 +15,7 @@ from .files import write_atomically
 from .sheet.assignment import Assignment
 from .sheet.matlab import starter
 from .sheet.notebook import handout_notebook, solution_notebook
+from .sheet.python_script import script
 from .typeset.document import Front, handout_data, solution_data
 from .typeset.pdf import pdf
 
@@ -52,6 +53,8 @@ class Order:
         wanted: list[Path] = []
         if self.sheet.matlab:
             wanted.append(self.released("m"))
+        if self.sheet.python:
+            wanted.append(self.released("py"))
         wanted += [self.solution(suffix) for suffix in self.formats]
         wanted += [self.released(suffix) for suffix in reversed(self.formats)]
         return [path for path in wanted if not path.exists()]
@@ -96,6 +99,7 @@ def _makers(
     front = Front(order.course, order.sheet, order.student, order.code)
     return {
         order.released("m"): lambda: starter(*about),
+        order.released("py"): lambda: script(*about, order.limits, order.packages),
         order.released("ipynb"): lambda: handout_notebook(*about, order.limits, order.packages),
         order.solution("ipynb"): lambda: solution_notebook(*about),
         order.released("pdf"): lambda: pdf(handout_data(front, assignments)),

@@ -59,10 +59,10 @@ class PartTable(Adjusted):
 class Sheet(Adjusted):
     """One hand-out: its exercises in order, what is asked of them, and when.
 
-    With `matlab`, students get a script to start from beside the notebook. With `show_solutions`,
-    which is for after the deadline, the feedback holds the worked solution. `pinned` holds, by
-    exercise, the choices of form that all students shall have alike, so that points mean the same
-    for everybody.
+    With `matlab` or `python`, students get a script to start from beside the notebook. With
+    `show_solutions`, which is for after the deadline, the feedback holds the worked solution.
+    `pinned` holds, by exercise, the choices of form that all students shall have alike, so that
+    points mean the same for everybody.
 
     Attributes:
         instructions: Markdown that stands on the sheet below its title.
@@ -83,6 +83,7 @@ class Sheet(Adjusted):
     title: Title = ""
     mode: Mode = "graded"
     matlab: bool = False
+    python: bool = False
     show_solutions: bool = False
     exercises: Annotated[tuple[str, ...], Field(min_length=1, max_length=100)]
     pinned: Mapping[str, Mapping[str, Any]] = {}

@@ -483,7 +483,8 @@ def test_files_that_cannot_be_read_are_named(tmp_path):
     with pytest.raises(CourseError, match=r"gone.ipynb cannot be read: No such file"):
         checked(tmp_path, solved("graded"), sheet=tmp_path / "gone.ipynb")
     with pytest.raises(
-        CourseError, match=r"one.docx: a submission takes one of the endings .ipynb, .json, .csv"
+        CourseError,
+        match=r"one.docx: a submission takes one of the endings .ipynb, .py, .json, .csv",
     ):
         checked(tmp_path, b"PK", name="one.docx")
 

@@ -127,12 +127,12 @@ def test_no_submission_is_no_grade(folder):
 
 def test_a_submission_under_another_name_is_pointed_at(folder):
     (folder / "submitted" / "ben" / "one.json").rename(
-        folder / "submitted" / "ben" / "one (2).ipynb"
+        folder / "submitted" / "ben" / "my answers.ipynb"
     )
     result = graded(folder)["ben"]
     assert (
         result.reason
-        == "no submission; one (2).ipynb is there, but the file takes the name one.ipynb"
+        == "no submission; my answers.ipynb is there, but the file takes the name one.ipynb"
     )
     assert result.points is None
 
@@ -527,9 +527,17 @@ def test_a_lost_gradebook_is_not_taken_for_an_empty_one(folder):
 
 
 def test_other_versions_of_a_file_are_named_and_files_of_other_sheets_are_not(folder):
-    for name in ("one (2).ipynb", "One-final.json", "one.csv", "two.json", "notes.txt"):
-        put(folder, "ada", b"{}", name)
+    for name in (
+        "one (2).ipynb",
+        "One-final.json",
+        "one.csv",
+        "two.json",
+        "notes.txt",
+        "oneself.py",
+    ):
+        os.utime(put(folder, "ada", b"{}", name), (1e9, 1e9))
     found = graded(folder)
-    assert found["ada"].passed_over == ("One-final.json", "one (2).ipynb", "one.csv")
+    assert found["ada"].points == 5
+    assert found["ada"].passed_over == ("One-final.json", "one (2).ipynb", "one.csv", "oneself.py")
     assert found["ben"].passed_over == ()
     assert remark(found["ada"]).startswith("also there, and not marked: One-final.json")

@@ -15,7 +15,7 @@ from zipfile import BadZipFile, ZipFile, ZipInfo, is_zipfile
 
 from ..errors import CourseError
 from ..escape import printable
-from ..sheet.submissions import MAX_NOTEBOOK
+from ..sheet.upload import MAX_NOTEBOOK
 
 MOST_FILES = 50_000  # of a download
 MOST_INNER_FILES = 500  # of a zip that a student handed in

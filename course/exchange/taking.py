@@ -10,7 +10,8 @@ from ..config import Course
 from ..escape import printable
 from ..files import write_atomically
 from ..roster import DEVICE
-from ..sheet.submissions import MAX_BESIDE, READERS, REQUEST
+from ..sheet.about import REQUEST
+from ..sheet.submissions import MAX_BESIDE, READERS
 from ..term.received import Receipt, read_receipts, write_receipts
 from .archive import RefusedError
 from .claims import Claim, Looked

@@ -5,7 +5,7 @@ from datetime import datetime
 from pathlib import PurePath
 
 from ..escape import printable
-from ..sheet.submissions import REQUEST
+from ..sheet.about import REQUEST
 from .archive import File
 from .people import Owner
 

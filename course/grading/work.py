@@ -21,7 +21,7 @@ from ...grader.marking.price import Bill, Price
 from ...grader.marking.verdict import Verdict, not_graded
 from ...solutions.errors import KinegradeError
 from ..adjusting import adjusted_by
-from ..sheet.submissions import NOTEBOOK, Submission
+from ..sheet.submissions import RUN, Submission
 from .overheard import Complaint
 from .values import from_text, to_text
 
@@ -102,9 +102,9 @@ class Work:
     came: Came | None = None
 
     @property
-    def is_notebook(self) -> bool:
-        """Whether it is run."""
-        return Path(self.name).suffix == NOTEBOOK
+    def is_run(self) -> bool:
+        """Whether it is a notebook or a script, and no file of values."""
+        return Path(self.name).suffix.lower() in RUN
 
 
 @dataclass(frozen=True)
@@ -145,7 +145,7 @@ def do(work: Work, jail_of: Callable[[Walls], Jail]) -> Done:
 def _collected(work: Work, exercises: Iterable[Exercise], jail_of: Callable[[Walls], Jail]) -> Came:
     jail: Jail | None = None
     level: Level | None = None
-    if work.is_notebook:
+    if work.is_run:
         jail = jail_of(work.walls)
         level = jail.level
     submission = Submission(Path(work.name), work.data)

@@ -21,6 +21,10 @@ class Notebook:
         self.language = language
         self.hints = {}
 
+    def where(self, index, _error):
+        """The cell of that index, counted as people do."""
+        return f"cell {index + 1}"
+
     def hint(self, name):
         """Why a name may be missing that stands in the file all the same; empty where it is not.
 
