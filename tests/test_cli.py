@@ -409,7 +409,7 @@ def test_check_shows_what_a_terminal_would_obey_as_text(kinegrade, tmp_path):
     ("name", "data", "words"),
     [
         ("gone.ipynb", None, "gone.ipynb cannot be read: No such file"),
-        ("mine.pdf", b"%PDF", "takes one of the endings .ipynb, .json, .csv"),
+        ("mine.pdf", b"%PDF", "takes one of the endings .ipynb, .py, .json"),
         ("mine.json", b"{}", "does not say which sheet it belongs to"),
         ("mine.ipynb", b'{"cells": [', "does not say which sheet it belongs to"),
     ],
