@@ -15,7 +15,7 @@ from .text_file import text_of
 
 LEFT_OUT = ("__pycache__",)
 SECRET = re.compile(r"[^\S\n]*secret[^\S\n]*=[^\n]*(?:\n|\Z)")
-DATED = re.compile(r"[^\S\n]*(?:[\w.\"'-]+\.)?(release|deadline|closes)[^\S\n]*=")
+DATED = re.compile(r"[^\S\n]*(?:[\w.\"'-]+\.)?(release|deadline|closes|late_percent)[^\S\n]*=")
 DATE = re.compile(r"[0-9]{4}-[0-9]{2}-[0-9]{2}")
 QUOTED = re.compile(r"\"[^\"]*\"|'[^']*'")
 OF_LAST_YEAR = re.compile(r"[^\S\n]*(?:url|show_solutions)[^\S\n]*=")
