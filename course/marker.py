@@ -1,18 +1,13 @@
 """Marking a class: every submission on its own, every grade one transaction, nothing twice."""
 
-from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Generator, Iterable, Mapping, Sequence
 from contextlib import closing
-from dataclasses import dataclass, replace
-from pathlib import Path
-from typing import Any
+from dataclasses import replace
+from typing import TYPE_CHECKING
 
 from ..exercises.exercise import Manual
-from ..exercises.files.finding import exercise_files
-from ..exercises.files.text import exercise_text
-from ..grader.collecting.ask import Limits
 from ..grader.jail.jail import Jail
 from ..grader.jail.level import Level, Permission
-from ..grader.marking.price import Price
 from ..grader.marking.verdict import Verdict, not_graded
 from .arrivals import note_arrivals
 from .config import Course, CourseError, Sheet, Student
@@ -20,49 +15,24 @@ from .gradebook import Gradebook, GradeKey
 from .grading.place import Place
 from .grading.processes import ThisMachine
 from .grading.task import MARK
-from .grading.work import Came, Done, Work, failed, waiting
+from .grading.work import Came, Done, failed, waiting
 from .handed_out import HandedOut
 from .holding import Holding
 from .incoming import Arrival, Incoming
+from .jobs import Desk, Job, job_of
 from .owners import Owners
 from .results import UNSAFE_STAMP, Result, standing
 from .same_numbers import marked_for_it, same_numbers, tells
-from .sheet.submissions import RUN
 from .sheets import asked_parts, drop_solutions, exercises_of
+
+if TYPE_CHECKING:
+    from pathlib import Path
 
 CHANGED = (
     "The reference answer of this part is no longer the one of the day the sheet was handed out; "
     "`kinegrade grade --accept-change` marks by the new one."
 )
 KEPT = "the submission is kept and will be marked again"
-
-
-@dataclass(frozen=True)
-class _Job:
-    """A submission to be marked, without its bytes, which are read when its turn comes.
-
-    Attributes:
-        student: Whose it is.
-        key: What its grade is known by.
-        file: Its name.
-        others: Reference answers of others that are in it.
-        peers: What others handed in, too.
-        unread: Names of other files for the sheet.
-        came: What came out of it before.
-    """
-
-    student: Student
-    key: GradeKey
-    file: str
-    others: dict[str, dict[str, dict[str, Any]]]
-    peers: Mapping[str, Mapping[str, Any]]
-    unread: tuple[str, ...]
-    came: Came | None = None
-
-    @property
-    def is_run(self) -> bool:
-        """Whether it is a notebook or a script."""
-        return Path(self.file).suffix.lower() in RUN
 
 
 class SheetMarker:
@@ -100,10 +70,6 @@ class SheetMarker:
         self._place = place or self._this_machine()
         self._exercises = exercises_of(course, sheet)
         self._parts = asked_parts(self._exercises)
-        files = exercise_files(course.folder / "exercises")
-        self._texts = tuple(exercise_text(files[slug]) for slug in sheet.exercises)
-        self._limits = Limits(**course.settings.limits.model_dump())
-        self._price = Price(**course.settings.marking.model_dump())
 
         holding = Holding(course, sheet.name, sheet.exercises)
         self._handed_out = HandedOut(
@@ -118,6 +84,9 @@ class SheetMarker:
         self._refuse_a_lost_gradebook(damaged)
         self._incoming = Incoming(
             course, sheet, self._exercises, holding.rules, self._handed_out, damaged, self._place
+        )
+        self._desk = Desk(
+            course, sheet, self._exercises, self._incoming, self._handed_out, self._place
         )
         self._owners = Owners(self._exercises, self._handed_out.answers)
         self._done: dict[str, Result] = {}
@@ -163,20 +132,20 @@ class SheetMarker:
         results = [self._done[student.id] for student in self.course.students]
         return standing(self.course, self.gradebook, self.sheet, results)
 
-    def _unmarked(self, step: Callable[[], None]) -> list[_Job]:
+    def _unmarked(self, step: Callable[[], None]) -> list[Job]:
         """What is to be marked; of all others the result is known."""
-        jobs: list[_Job] = []
+        jobs: list[Job] = []
         for student in self.course.students:
             found = self._incoming.of(student)
             if isinstance(found, Arrival):
-                jobs.append(_job(found))
+                jobs.append(job_of(found))
                 self._arrived[student.id, found.key.submission] = found.file
             else:
                 self._done[student.id] = found
                 step()
 
         known = self.gradebook.graded([job.key for job in jobs])
-        todo: list[_Job] = []
+        todo: list[Job] = []
         counting: list[GradeKey] = []
         for job in jobs:
             verdicts = known.get(job.key)
@@ -198,9 +167,9 @@ class SheetMarker:
                 return True
         return False
 
-    def _mark_all(self, todo: Sequence[_Job], step: Callable[[], None]) -> None:
+    def _mark_all(self, todo: Sequence[Job], step: Callable[[], None]) -> None:
         """Marks and saves; who handed in somebody else's answers is marked with these at hand."""
-        not_own: list[_Job] = []
+        not_own: list[Job] = []
         with closing(self._marked(todo)) as marked:  # also when Ctrl-C comes between two
             for job, done in marked:
                 owners = self._owners.of(job.student.id, done.verdicts)
@@ -221,7 +190,7 @@ class SheetMarker:
         """
         verdicts = {student.id: self._done[student.id].verdicts for student in self.course.students}
         shared = same_numbers(self._parts, verdicts)
-        todo: list[_Job] = []
+        todo: list[Job] = []
         for student in self.course.students:
             own = verdicts[student.id]
             if (student.id in shared) == marked_for_it(own):
@@ -231,12 +200,12 @@ class SheetMarker:
                 owners = self._owners.of(student.id, own)
                 peers = shared.get(student.id, {})
                 came = self._came_in.get(student.id)
-                todo.append(replace(_job(found), others=owners, peers=peers, came=came))
+                todo.append(replace(job_of(found), others=owners, peers=peers, came=came))
         with closing(self._marked(todo)) as marked:
             for job, done in marked:
                 self._save(job, done)
 
-    def _marked(self, jobs: Sequence[_Job]) -> Generator[tuple[_Job, Done]]:
+    def _marked(self, jobs: Sequence[Job]) -> Generator[tuple[Job, Done]]:
         """What came of each, as they are done.
 
         Raises:
@@ -244,44 +213,18 @@ class SheetMarker:
         """
         if any(job.is_run and job.came is None for job in jobs):
             self.gradebook.note_level(self._place.level)
-        with closing(self._place.run(MARK, self._works(jobs), len(jobs))) as results:
+        works = self._desk.works(jobs, self._keep)
+        with closing(self._place.run(MARK, works, len(jobs))) as results:
             for job, done in results:
                 if isinstance(done, BaseException):
                     yield job, Done(failure=failed(done))
                 else:
                     yield job, done
 
-    def _works(self, jobs: Iterable[_Job]) -> Iterator[tuple[_Job, Work]]:
-        """Submissions read one by one, as there is room for them."""
-        for job in jobs:
-            found = self._incoming.of(job.student)
-            if isinstance(found, Result):  # it was there a moment ago
-                self._done[job.student.id] = found
-                continue
-            came = job.came if found.key == job.key else None
-            fresh = replace(_job(found), others=job.others, peers=job.peers, came=came)
-            yield fresh, self._work(fresh, found, came)
+    def _keep(self, result: Result) -> None:
+        self._done[result.student.id] = result
 
-    def _work(self, job: _Job, found: Arrival, came: Came | None) -> Work:
-        records = self._handed_out.records(job.student.id)
-        return Work(
-            student=job.student.id,
-            sheet=self.sheet.name,
-            name=job.file,
-            data=found.submission.data if came is None else b"",
-            beside=dict(found.beside),
-            exercises=self._texts,
-            adjustments=self.sheet.adjustments(),
-            numbers=tuple(records[exercise.slug].numbers for exercise in self._exercises),
-            limits=self._limits,
-            price=self._price,
-            walls=self._place.walls,
-            others=job.others,
-            peers={student: dict(answers) for student, answers in job.peers.items()},
-            came=came,
-        )
-
-    def _save(self, job: _Job, done: Done) -> None:
+    def _save(self, job: Job, done: Done) -> None:
         """The grade of one submission; where the grader failed, the submission waits."""
         for package in done.absent:
             self.absent.setdefault(package, set()).add(job.student.id)
@@ -307,11 +250,6 @@ class SheetMarker:
                 found.append(verdict)
         return found
 
-    def _result(self, job: _Job, verdicts: Sequence[Verdict]) -> Result:
+    def _result(self, job: Job, verdicts: Sequence[Verdict]) -> Result:
         student = job.student
         return Result(student, self.sheet.name, tuple(verdicts), passed_over=job.unread)
-
-
-def _job(found: Arrival) -> _Job:
-    submission = found.submission
-    return _Job(found.student, found.key, submission.path.name, {}, {}, submission.unread)
