@@ -1,9 +1,9 @@
-# `make demo` shows the whole path, `make test` proves it, `make validate` proves the exercises, and `make density`
-# prints how dense the code is. Each builds .venv when it is missing.
+# `make demo` shows the whole path, `make test` proves it, `make validate` proves the exercises, `make docs` builds the
+# documentation into site/, and `make density` prints how dense the code is. Each builds .venv when it is missing.
 PYTHON ?= python3
 BIN := .venv/bin
 
-.PHONY: demo test validate density clean
+.PHONY: demo test validate docs density clean
 
 demo: .venv/product
 	$(BIN)/kinegrade demo
@@ -16,6 +16,10 @@ test: .venv/tests
 
 validate: .venv/product
 	$(BIN)/kinegrade validate --draws 100
+
+docs: .venv/docs
+	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --strict --quiet
+	@echo "site/index.html"
 
 density: .venv/density
 	$(BIN)/python benchmarks/density.py
@@ -31,9 +35,13 @@ density: .venv/density
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt --editable '.[test]'
 	touch $@
 
+.venv/docs: .venv/product
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt --editable '.[docs]'
+	touch $@
+
 .venv/density: .venv/bin/python pyproject.toml constraints.txt
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt radon
 	touch $@
 
 clean:
-	rm -rf .venv demo-course build dist *.egg-info
+	rm -rf .venv demo-course site build dist *.egg-info
