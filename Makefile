@@ -1,9 +1,10 @@
 # `make demo` shows the whole path, `make test` proves it, `make validate` proves the exercises, `make gallery` draws every
-# robot into docs/gallery, and `make density` prints how dense the code is. Each builds .venv when it is missing.
+# robot into docs/gallery, `make docs` builds the documentation into site/, and `make density` prints how dense the code is.
+# Each builds .venv when it is missing.
 PYTHON ?= python3
 BIN := .venv/bin
 
-.PHONY: demo test validate gallery density clean
+.PHONY: demo test validate gallery docs density clean
 
 demo: .venv/product
 	$(BIN)/kinegrade demo
@@ -20,6 +21,10 @@ validate: .venv/product
 gallery: .venv/product
 	$(BIN)/python -m kinegrade.course.gallery docs/gallery
 
+docs: .venv/docs
+	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --strict --quiet
+	@echo "site/index.html"
+
 density: .venv/density
 	$(BIN)/python benchmarks/density.py
 
@@ -34,9 +39,13 @@ density: .venv/density
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt --editable '.[test]'
 	touch $@
 
+.venv/docs: .venv/product
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt --editable '.[docs]'
+	touch $@
+
 .venv/density: .venv/bin/python pyproject.toml constraints.txt
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt radon
 	touch $@
 
 clean:
-	rm -rf .venv demo-course docs/gallery build dist *.egg-info
+	rm -rf .venv demo-course docs/gallery site build dist *.egg-info

@@ -51,6 +51,12 @@ def _figure(folder: Path, name: str) -> dict[str, str]:
     return {"file": file, "title": arm.title, "alt": text.read_text(encoding="utf-8")}
 
 
+def map_of(name: str) -> tuple[bytes, str]:
+    """The map of a robot of the catalogue as PNG, and its description; drawn once and kept."""
+    arm = robot(name)
+    return _kept(arm, f"{name}-{_key(arm)}.png")
+
+
 def _kept(arm: Robot, file: str) -> tuple[bytes, str]:
     """A map and its description, from this machine's cache or drawn and put there."""
     place = cache_folder() / "maps" / file

@@ -35,7 +35,7 @@ class Adjusted(_Strict):
     Attributes:
         points: Of everything below, which keeps its proportions.
         decimals: Asked of numbers.
-        tolerance: A factor on the tolerance of numbers that follows from the decimals.
+        tolerance: A factor on the tolerance of numbers, which follows from the decimals.
     """
 
     points: Points | None = None
@@ -44,13 +44,22 @@ class Adjusted(_Strict):
 
 
 class ExerciseTable(Adjusted):
-    """One exercise of a sheet, as `[sheet.exercise.NAME]`. `hints` may leave out its hints."""
+    """One exercise of a sheet, as `[sheet.exercise.NAME]`.
+
+    Attributes:
+        hints: Whether its hints are printed; else as the sheet says.
+    """
 
     hints: bool | None = None
 
 
 class PartTable(Adjusted):
-    """One part, as `[[sheet.part]]`. With `drop`, it is not asked."""
+    """One part, as `[[sheet.part]]`.
+
+    Attributes:
+        name: Its variable.
+        drop: It is not asked.
+    """
 
     name: Annotated[str, Field(max_length=200)]
     drop: bool = False
@@ -59,14 +68,18 @@ class PartTable(Adjusted):
 class Sheet(Adjusted):
     """One hand-out: its exercises in order, what is asked of them, and when.
 
-    With `matlab` or `python`, students get a script to start from beside the notebook. With
-    `show_solutions`, which is for after the deadline, the feedback holds the worked solution.
-    `pinned` holds, by exercise, the choices of form that all students shall have alike, so that
-    points mean the same for everybody.
-
     Attributes:
+        name: That of its files.
+        title: On the sheet; else its name.
+        mode: What a check may tell a student.
+        matlab: Students get a MATLAB script to start from beside the notebook.
+        python: Students get a Python script to start from beside the notebook.
+        show_solutions: The feedback holds the worked solution, which is for after the deadline.
+        exercises: Their names, in the order of the sheet.
+        pinned: By exercise, the choices of form that all students shall have alike, so that points
+            mean the same for everybody.
         instructions: Markdown that stands on the sheet below its title.
-        minutes: What the sheet is said to take; None adds up what its exercises say.
+        minutes: What the sheet is said to take; left out, what its exercises say, together.
         hints: Whether hints are printed.
         release: When students get the sheet.
         deadline: Until when it is to be handed in.
@@ -75,7 +88,7 @@ class Sheet(Adjusted):
         late_most: Percent that being late costs at most.
         closes: What comes in later does not count.
         attempts: Which of several submissions counts.
-        most_attempts: How many submissions count; None for any number.
+        most_attempts: How many submissions count; left out, any number.
         resit_of: The sheet of which this is a second try; the better of both counts.
     """
 
@@ -114,7 +127,13 @@ class Sheet(Adjusted):
 
 
 class LimitsTable(_Strict):
-    """What one notebook may use while it is marked."""
+    """What one notebook may use while it is marked.
+
+    Attributes:
+        cell_seconds: Of the processor, for one cell; a loop costs the answers of its cell only.
+        notebook_seconds: By the clock, for all cells together.
+        memory_mb: Megabytes.
+    """
 
     cell_seconds: Annotated[float, Field(strict=True, gt=0, le=600)] = 30.0
     notebook_seconds: Annotated[float, Field(strict=True, gt=0, le=3600)] = 180.0
@@ -122,13 +141,23 @@ class LimitsTable(_Strict):
 
 
 class PackagesTable(_Strict):
-    """Packages that notebooks may import besides numpy, sympy, matplotlib, scipy and IPython."""
+    """What notebooks may import.
+
+    Attributes:
+        allow: Packages, besides numpy, sympy, matplotlib, scipy and IPython.
+    """
 
     allow: tuple[Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]*$")], ...] = ()
 
 
 class MarkingTable(_Strict):
-    """What a mistake that has a name costs of its part: once, whatever the number of entries."""
+    """What a mistake that has a name costs of its part: once, whatever the number of entries.
+
+    Attributes:
+        slip: A sign, one entry, two rows exchanged, too few decimals.
+        presentation: Transposed, blocks swapped, millimetres, degrees.
+        concept: What the exercise knows of the question.
+    """
 
     slip: Share = 0.25
     presentation: Share = 0.25
@@ -136,13 +165,23 @@ class MarkingTable(_Strict):
 
 
 class GradebookTable(_Strict):
-    """Where the gradebook lies, unless it is the file in the course folder."""
+    """Where the gradebook lies, unless it is the file in the course folder.
+
+    Attributes:
+        url: Of a PostgreSQL database, such as postgresql://marker@db.example.org/robotics.
+    """
 
     url: Annotated[str, Field(pattern="^postgresql://")] | None = None
 
 
 class Settings(_Strict):
-    """All of course.toml. `timezone` is that of times that name none."""
+    """All of course.toml.
+
+    Attributes:
+        title: Of the course; it stands on every sheet and page.
+        formats: What sheets and worked solutions are written as.
+        timezone: That of times that name none, such as Europe/Berlin.
+    """
 
     title: Title
     # Of older courses; the secret has a file of its own.
