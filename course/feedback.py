@@ -18,6 +18,9 @@ from .formulas import page_text
 from .gradebook import Gradebook
 from .grades import SheetResults
 from .grading import Result
+from .language.speech import phrase, retold, speaking
+from .language.translated import translated, translations
+from .language.writing import number_text
 from .markdown import markdown_html
 from .own_sheet import own_questions
 from .pages import template, write_page
@@ -85,9 +88,26 @@ def write_feedback(
 
     It holds no reference value, unless the sheet shows its solutions.
     """
+    beside = translations(sheet.exercises, sheet.language, course.folder / "exercises")
+    shown = [translated(one, sheet.language, beside.get(one.slug)) for one in exercises]
+    with speaking(sheet.language, tuple(beside.values())):
+        html = _page(course, sheet, shown, result, records or {})
+    path = course.folder / "feedback" / result.student.id / f"{sheet.name}.html"
+    with speaking(sheet.language):
+        write_page(path, html)
+    return path
+
+
+def _page(
+    course: Course,
+    sheet: Sheet,
+    exercises: Sequence[Exercise],
+    result: Result,
+    drawn: Records,
+) -> str:
+    """The page in the language that is spoken."""
     student = result.student
     released = course.folder / "released" / student.id / f"{sheet.name}.ipynb"
-    drawn = records or {}
     numbers = {slug: record.numbers for slug, record in drawn.items()}
     questions = _or_nothing("question", own_questions, released, exercises, numbers) or {}
     verdicts = {verdict.part: verdict for verdict in result.verdicts}
@@ -102,7 +122,7 @@ def write_feedback(
         )
         blocks.append(_exercise_block(own))
 
-    html = template("feedback.html").render(
+    return template("feedback.html").render(
         course=course.settings.title,
         sheet=sheet.title or sheet.name,
         student=student,
@@ -113,23 +133,21 @@ def write_feedback(
         solved=sheet.show_solutions,
         blocks=blocks,
         rules=_rules(course.settings.marking),
-        marks=[(MARKS[status], status, words) for status, words in STATUS_WORDS.items()],
+        marks=[(MARKS[status], status, retold(words)) for status, words in STATUS_WORDS.items()],
     )
-    path = course.folder / "feedback" / student.id / f"{sheet.name}.html"
-    write_page(path, html)
-    return path
 
 
 def _notes(sheet: Sheet, result: Result) -> list[str]:
     """What deadline, attempts and publication make of the points, a sentence each."""
     notes = [late_text(result.late), rules_text(sheet)]
     if result.attempts.of > 1:
-        notes.insert(0, f"This is file {result.attempts.this} of {result.attempts.of}.")
+        attempts = result.attempts
+        notes.insert(0, phrase("This is file {this} of {of}.", this=attempts.this, of=attempts.of))
     if result.excused:
-        notes.insert(0, "You are excused from this sheet: it does not count for you.")
+        notes.insert(0, phrase("You are excused from this sheet: it does not count for you."))
     if result.passed_over:
         names = ", ".join(result.passed_over)
-        notes.append(f"Also there, and not marked: {names}.")
+        notes.append(phrase("Also there, and not marked: {names}.", names=names))
     return [note for note in notes if note]
 
 
@@ -143,12 +161,14 @@ def _exercise_block(own: _Own) -> Block:
         earned += worth or 0.0
         waits = waits or worth is None
     numbers = None if own.record is None else own.record.numbers
-    points = f"{round(earned, 2):g}"
+    points = number_text(round(earned, 2))
     if waits:
         points += " + ?"
     return {
         "title": own.exercise.title,
-        "points": f"{points} of {points_text(own.exercise.points)}",
+        "points": phrase(
+            "{points} of {out_of}", points=points, out_of=points_text(own.exercise.points)
+        ),
         "question": Markup(own.question),  # noqa: S704 - the exercise's own text and numbers
         "position": _or_nothing("map", position, own.exercise, numbers),
         "parts": parts,
@@ -195,7 +215,7 @@ def feedback_block(part: Part, verdict: Verdict) -> Block:
     answer = part.answer
     points = "–"
     if verdict.points is not None:
-        points = f"{verdict.points:g}"
+        points = number_text(verdict.points)
 
     options: list[Markup] = []
     if isinstance(answer, Choice):
@@ -205,17 +225,17 @@ def feedback_block(part: Part, verdict: Verdict) -> Block:
     rubric: list[tuple[str, str]] = []
     if isinstance(answer, Manual):
         text = verdict.answer
-        rubric = [(f"{worth:g}", criterion) for worth, criterion in answer.rubric]
+        rubric = [(number_text(worth), criterion) for worth, criterion in answer.rubric]
 
     return {
         "variable": part.variable,
         "prompt": _markup(part.prompt),
         "status": verdict.status,
-        "words": STATUS_WORDS[verdict.status],
+        "words": retold(STATUS_WORDS[verdict.status]),
         "mark": MARKS[verdict.status],
         "points": points,
-        "out_of": f"{verdict.out_of:g}",
-        "reading": verdict.reading,
+        "out_of": number_text(verdict.out_of),
+        "reading": retold(verdict.reading),
         "sentence": sentence(part, verdict),
         "findings": _findings(verdict, by_person=False),
         "comments": _findings(verdict, by_person=True),
@@ -244,7 +264,8 @@ def _findings(verdict: Verdict, *, by_person: bool) -> list[dict[str, str]]:
         if finding.private or finding.by_person != by_person:
             continue
         said, *typed = [printable(line) for line in finding.text.split("\n")]
-        shown.append({"sentence": said, "typed": "\n".join(typed)})
+        sentence_of = said if by_person else retold(said)
+        shown.append({"sentence": sentence_of, "typed": "\n".join(typed)})
     return shown
 
 

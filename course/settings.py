@@ -7,6 +7,7 @@ from zoneinfo import ZoneInfo, ZoneInfoNotFoundError
 
 from pydantic import BaseModel, ConfigDict, Field, field_validator
 
+from .language.speech import ENGLISH, Language
 from .roster import SAFE_NAME
 
 Mode = Literal["practice", "graded", "exam"]
@@ -77,6 +78,7 @@ class Sheet(Adjusted):
         attempts: Which of several submissions counts.
         most_attempts: How many submissions count; None for any number.
         resit_of: The sheet of which this is a second try; the better of both counts.
+        language: Of the sheet and its feedback; that of the course where it is left out.
     """
 
     name: Name
@@ -100,6 +102,7 @@ class Sheet(Adjusted):
     attempts: Attempts = "last"
     most_attempts: Annotated[int, Field(strict=True, ge=1, le=1000)] | None = None
     resit_of: str = ""
+    language: Language = ENGLISH
 
     @property
     def is_timed(self) -> bool:
@@ -141,7 +144,10 @@ class GradebookTable(_Strict):
 
 
 class Settings(_Strict):
-    """All of course.toml. `timezone` is that of times that name none."""
+    """All of course.toml. `timezone` is that of times that name none.
+
+    `language` is that of sheets, feedback and checks, and says how grades.csv writes numbers.
+    """
 
     title: Title
     # Of older courses; the secret has a file of its own.
@@ -153,6 +159,7 @@ class Settings(_Strict):
     gradebook: GradebookTable = GradebookTable()
     packages: PackagesTable = PackagesTable()
     timezone: str = "UTC"
+    language: Language = ENGLISH
 
     @field_validator("timezone")
     @classmethod

@@ -58,39 +58,68 @@ ROOMS = {
     "grader/telling": ENGINE | {"exercises", "grader/kinds", "grader/marking"},
     "grader/figures": ENGINE | {"exercises"},
     # Settings and words at the bottom, sheets above them, proofs above sheets, the command on top.
-    "course/ground": ENGINE | {"grader/collecting"},
+    "course/errors": ENGINE,
+    "course/language": ENGINE | {"course/errors", "exercises", "exercises/files"},
+    "course/ground": ENGINE | {"course/errors", "course/language", "grader/collecting"},
     "course/sheet": ENGINE
-    | {"course/ground", "exercises", "exercises/kinds", "grader/collecting", "grader/figures"}
+    | {
+        "course/errors",
+        "course/ground",
+        "course/language",
+        "exercises",
+        "exercises/kinds",
+        "grader/collecting",
+        "grader/figures",
+    }
     | {"grader/jail"},
-    "course/typeset": ENGINE | {"course/ground", "course/sheet", "exercises", "exercises/kinds"},
-    "course/ledger": ENGINE | {"course/ground", "grader/marking"},
-    "course/term": ENGINE | {"course/ground", "course/ledger", "exercises", "grader/marking"},
+    "course/typeset": ENGINE
+    | {"course/errors", "course/language"}
+    | {"course/ground", "course/sheet", "exercises", "exercises/kinds"},
+    "course/ledger": ENGINE | {"course/errors", "course/ground", "grader/marking"},
+    "course/term": ENGINE
+    | {"course/errors", "course/ground", "course/ledger", "exercises", "grader/marking"},
     "course/ledger/migrations": set(),
     "course/ledger/migrations/versions": set(),
     "course": ENGINE
-    | {"course/ground", "course/sheet", "course/typeset", "course/ledger", "course/term"}
+    | {
+        "course/errors",
+        "course/language",
+        "course/ground",
+        "course/sheet",
+        "course/typeset",
+        "course/ledger",
+        "course/term",
+    }
     | {"exercises", "exercises/files"}
     | {"grader/collecting", "grader/jail", "grader/reading", "grader/marking", "grader/telling"}
     | {"grader/figures"},
     "course/proof": ENGINE
-    | {"course", "course/ground", "course/sheet", "course/typeset"}
+    | {"course", "course/errors", "course/ground", "course/sheet", "course/typeset"}
     | {"exercises", "exercises/files"}
     | {"grader/collecting", "grader/jail", "grader/kinds", "grader/marking", "grader/telling"},
     "course/command": ENGINE
-    | {"course", "course/ground", "course/sheet", "course/proof", "exercises", "exercises/files"}
+    | {
+        "course",
+        "course/errors",
+        "course/ground",
+        "course/sheet",
+        "course/proof",
+        "exercises",
+        "exercises/files",
+    }
     | {"grader/figures", "grader/jail"},
 }
 """Which rooms each room may import from, besides itself; a folder is a room, and what lies beside it another."""
 ROOM_OF = {
     "exercises/part": "exercises/part",
     "course/cli": "course/command",
+    "course/errors": "course/errors",
     **dict.fromkeys(
         [
             f"course/{name}"
             for name in (
                 "config",
                 "console",
-                "errors",
                 "escape",
                 "files",
                 "formulas",

@@ -5,7 +5,9 @@ from typing import Any
 
 from ...exercises.exercise import Exercise, Manual
 from ..config import LimitsTable, PackagesTable, Sheet, Student
+from ..language.speech import ENGLISH, later, phrase
 from .assignment import Assignment
+from .blank import blank_text
 from .given import given_cell, printed
 from .heading import heading, row_orders, solution_heading
 from .notebook_file import code_cell, folded_cell, markdown_cell, notebook_file
@@ -16,7 +18,7 @@ from .worked import rubric
 KEY = "kinegrade"
 """What a notebook says of itself stands under this key of its metadata."""
 IMPORTS = "import numpy as np"
-SELF_CHECK = (
+SELF_CHECK = later(
     "## Self-check\n\nRun the folded cell below at any time. It sees what is there, not whether it "
     "is right. Where Kinegrade is installed, `%load_ext kinegrade` and then `%check` say more."
 )
@@ -65,7 +67,7 @@ def handout_notebook(
         cells += _blanks(one.exercise, hints=sheet.mode != "exam")
 
     asked = [part for one in assignments for part in one.exercise.asked]
-    cells += [markdown_cell(SELF_CHECK), folded_cell(self_check(asked))]
+    cells += [markdown_cell(phrase(SELF_CHECK)), folded_cell(self_check(asked))]
 
     numbers: dict[str, Any] = {}
     for one in assignments:
@@ -102,7 +104,10 @@ def solution_notebook(
 
 
 def _about(sheet: Sheet, student: Student) -> dict[str, Any]:
-    return {"sheet": sheet.name, "student": student.id, "mode": sheet.mode}
+    about: dict[str, Any] = {"sheet": sheet.name, "student": student.id, "mode": sheet.mode}
+    if sheet.language != ENGLISH:
+        about["language"] = sheet.language
+    return about
 
 
 def _questions(assignments: Sequence[Assignment]) -> list[str]:
@@ -117,7 +122,7 @@ def _questions(assignments: Sequence[Assignment]) -> list[str]:
 def _blanks(exercise: Exercise, *, hints: bool) -> Iterator[Any]:
     for part in exercise.asked:
         yield markdown_cell(prompt_text(part, hints=hints))
-        yield code_cell(part.answer.blank(part.variable), part.variable)
+        yield code_cell(blank_text(part), part.variable)
 
 
 def _worked(one: Assignment) -> Iterator[Any]:
