@@ -7,8 +7,7 @@ from functools import cached_property
 
 PLACE = re.compile(r"\{([a-z]\w*)\}", re.ASCII)
 """A place in a sentence; braces of LaTeX that look like one match themselves."""
-WORD = re.compile(r"[^\W\d_]{2,}")
-FEW = 1
+SHORT = 3  # letters and signs of what joins two places: and, or
 
 
 @dataclass(frozen=True)
@@ -32,7 +31,7 @@ class Pattern:
     @property
     def is_joint(self) -> bool:
         """Whether it is little more than its places, as "{one} and {other}"."""
-        return len(WORD.findall(PLACE.sub("", self.sentence))) <= FEW
+        return len(PLACE.sub("", self.sentence).replace(" ", "")) <= SHORT
 
     @property
     def fixed(self) -> int:

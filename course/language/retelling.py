@@ -84,11 +84,15 @@ class Retelling:
     def _found(self, text: str, note: Callable[[str], None], *, inner: bool = False) -> str | None:
         """One sentence; it may be a clause in a catalogue, which takes a capital and a stop."""
         found = self._matched(text, note, inner=inner)
-        if found is not None or not text.endswith("."):
+        if found is not None:
             return found
-        clause = text[:1].lower() + text[1:-1]
+        clause = text[:1].lower() + text[1:].removesuffix(".")
+        if clause == text:
+            return None
         found = self._matched(clause, note, inner=inner)
-        return None if found is None else f"{found[:1].upper()}{found[1:]}."
+        if found is None:
+            return None
+        return found[:1].upper() + found[1:] + text[len(clause) :]
 
     def _matched(self, text: str, note: Callable[[str], None], *, inner: bool) -> str | None:
         if text in self._whole:
