@@ -1,7 +1,7 @@
 """A student's own check of one file: what the sheet's mode allows, from the sheet's numbers."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, get_args
 
@@ -23,22 +23,26 @@ from .adjusting import adjusted_here
 from .config import CourseError, LimitsTable, Mode, PackagesTable, Sheet
 from .drawn import drawn
 from .escape import printable
+from .language.speech import ENGLISH, Language, later, phrase, retold, speaking
+from .language.translated import translations
 from .sheet.about import read_about
 from .sheet.handed_in import read_handed_in
 
 MOST_PLACES = 6  # of wrong entries that are named
 SAMPLES = 12  # draws that show which answers hang on numbers that the sheet does not print
-NOT_PRINTED = (
+NOT_PRINTED = later(
     "can be read; whether it is right hangs on what your sheet says in words, "
     "which is not looked at here"
 )
-NOT_INSTALLED = "an exercise of this course that is not installed here; it is not checked"
+NOT_INSTALLED = later("an exercise of this course that is not installed here; it is not checked")
 
 TOLD: dict[Mode, str] = {
-    "practice": "Practice sheet: everything is told but the reference values.",
-    "graded": "Graded sheet: this tells whether answers can be read and fit each other, "
-    "not if they are right.",
-    "exam": "Exam sheet: this tells whether answers can be read, nothing more.",
+    "practice": later("Practice sheet: everything is told but the reference values."),
+    "graded": later(
+        "Graded sheet: this tells whether answers can be read and fit each other, "
+        "not if they are right."
+    ),
+    "exam": later("Exam sheet: this tells whether answers can be read, nothing more."),
 }
 """What `check` says of a sheet, by its mode."""
 
@@ -53,6 +57,12 @@ class Handout:
     limits: Limits = field(default_factory=Limits)
     packages: tuple[str, ...] = ()
     adjustments: Mapping[str, Any] = field(default_factory=dict[str, Any])
+    language: Language = ENGLISH
+
+    def told(self) -> str:
+        """What a check of such a sheet tells, in its language."""
+        with speaking(self.language):
+            return phrase(TOLD[self.mode])
 
 
 def check_file(
@@ -85,7 +95,22 @@ def check_file(
     with Jail(ANY, handout.packages, preload=FOR_ONE) as jail:
         raws = submission.raws(asks, handout.limits, jail)
 
-    found = [Remark(slug, ok=True, text=NOT_INSTALLED) for slug in missing]
+    beside = translations([*handout.numbers], handout.language, *folders)
+    with speaking(handout.language, tuple(beside.values())):
+        found = [Remark(slug, ok=True, text=phrase(NOT_INSTALLED)) for slug in missing]
+        found += _of_all(path, handout, installed, numbers, raws)
+    return handout, found
+
+
+def _of_all(
+    path: Path,
+    handout: Handout,
+    installed: Sequence[Exercise],
+    numbers: Mapping[str, dict[str, Any]],
+    raws: Mapping[str, Raw],
+) -> list[Remark]:
+    """Remarks on every exercise that is installed here, in the language that is spoken."""
+    found: list[Remark] = []
     for exercise in installed:
         try:
             found += _of_exercise(handout, exercise, numbers[exercise.slug], raws)
@@ -93,7 +118,7 @@ def check_file(
             raise CourseError(
                 f"{path}: the numbers of {exercise.slug} in this sheet are damaged: {error!r}"
             ) from error
-    return handout, found
+    return found
 
 
 def remark_lines(found: Iterable[Remark]) -> Iterator[str]:
@@ -245,6 +270,7 @@ def _handout(about: Any) -> Handout:
         Limits(**limits.model_dump()),
         packages.allow,
         adjustments,
+        about.get("language", ENGLISH),
     )
 
 
@@ -256,7 +282,7 @@ def _of_exercise(
     unseen = unseen_parts(exercise, handout.numbers[exercise.slug])
     for remark in _remarks(handout.mode, exercise, v, raws):
         if remark.part in unseen:
-            yield readable(parts[remark.part], raws, v, NOT_PRINTED)
+            yield readable(parts[remark.part], raws, v, phrase(NOT_PRINTED))
         else:
             yield remark
 
@@ -266,7 +292,13 @@ def _remarks(
 ) -> Iterator[Remark]:
     if mode == "practice":
         return map(_told, mark(exercise, v, raws))
-    return remarks(exercise, v, raws, consistency=mode == "graded")
+    return map(_retold, remarks(exercise, v, raws, consistency=mode == "graded"))
+
+
+def _retold(remark: Remark) -> Remark:
+    """A remark in the language spoken; what was typed, below its first line, stays as it is."""
+    said, *typed = remark.text.split("\n")
+    return replace(remark, text="\n".join([retold(said), *typed]))
 
 
 def _wrong_entries(right: Any) -> str:
@@ -280,16 +312,21 @@ def _wrong_entries(right: Any) -> str:
     if mask.all() or not mask.any():
         return ""
     wrong = entries_named(~mask, MOST_PLACES)
-    return f"{mask.sum()} of {mask.size} entries right, not these: {wrong}."
+    return phrase(
+        "{right} of {of} entries right, not these: {wrong}.",
+        right=mask.sum(),
+        of=mask.size,
+        wrong=retold(wrong),
+    )
 
 
 def _told(verdict: Verdict) -> Remark:
     """All of a verdict but the reference: status, reading, findings, which entries are right."""
     findings = [finding.text for finding in verdict.findings if not finding.private]
-    texts = [verdict.reading, *findings, _wrong_entries(verdict.right)]
+    texts = [retold(verdict.reading), *map(retold, findings), _wrong_entries(verdict.right)]
     said = " ".join(filter(None, texts))
 
-    told = STATUS_WORDS[verdict.status]
+    told = retold(STATUS_WORDS[verdict.status])
     if said:
         told = f"{told}: {said}"
     # What waits for somebody else, or is right from wrong answers, has nothing to mend in it.

@@ -210,12 +210,12 @@ def check(
     ] = None,
 ) -> None:
     """Look at one's own answers, as far as the sheet's mode allows; needs no course folder."""
-    from .check import TOLD, check_file, remark_lines
+    from .check import check_file, remark_lines
 
     handout, found = check_file(file, sheet, exercises)
     for line in remark_lines(found):
         print(line)
-    say(TOLD[handout.mode])
+    say(handout.told())
     if not all(remark.ok for remark in found):
         raise typer.Exit(1)
 

@@ -105,7 +105,7 @@ def read_settings(path: Path) -> Settings:
     except ValidationError as error:
         raise CourseError(f"{path}: {_sentence(_telling(error))}") from error
 
-    settings = _in_zone(settings)
+    settings = _in_language(_in_zone(settings))
     names = [sheet.name.casefold() for sheet in settings.sheet]
     for sheet in settings.sheet:
         if names.count(sheet.name.casefold()) > 1:
@@ -128,6 +128,16 @@ def _in_zone(settings: Settings) -> Settings:
             if time.tzinfo is None:
                 times[name] = time.replace(tzinfo=zone)
         sheets.append(sheet.model_copy(update=times))
+    return settings.model_copy(update={"sheet": tuple(sheets)})
+
+
+def _in_language(settings: Settings) -> Settings:
+    """Sheets that name no language are in that of the course."""
+    sheets: list[Sheet] = []
+    for sheet in settings.sheet:
+        if "language" not in sheet.model_fields_set:
+            sheet = sheet.model_copy(update={"language": settings.language})  # noqa: PLW2901
+        sheets.append(sheet)
     return settings.model_copy(update={"sheet": tuple(sheets)})
 
 

@@ -8,13 +8,15 @@ from ..exercises.exercise import Exercise, Numbers, Part
 from ..grader.figures.motion import motion
 from ..grader.figures.sketch import sketch
 from ..grader.marking.verdict import Verdict
+from .language.speech import later, phrase
 from .record import Record
 
+BOTH = later("the velocity of the tool point and the angular velocity of the tool")
 SAYS = {
-    "v": "how the tool point moves when one joint turns or slides with rate 1",
-    "ω": "the axis about which each joint turns the tool",
-    "z": "the axis of each joint",
-    "x": "the frame, its axes and where it stands",
+    "v": later("how the tool point moves when one joint turns or slides with rate 1"),
+    "ω": later("the axis about which each joint turns the tool"),
+    "z": later("the axis of each joint"),
+    "x": later("the frame, its axes and where it stands"),
 }
 """What is compared, by the symbol of the first vector that differs."""
 
@@ -38,9 +40,9 @@ def explained(
     if found is None:
         return None
     first = found.vectors[0]
-    what = SAYS.get(first.symbol, SAYS["x"])
+    what = phrase(SAYS.get(first.symbol, SAYS["x"]))
     if not first.index and first.symbol in ("v", "ω"):
-        what = "the velocity of the tool point and the angular velocity of the tool"
-    title = f"Your arm at your q: {what}, as it is and as your answer has it"
+        what = phrase(BOTH)
+    title = phrase("Your arm at your q: {what}, as it is and as your answer has it", what=what)
     # Text and numbers of the drawing are ours.
     return {"svg": Markup(sketch(found, title)), "says": what}  # noqa: S704

@@ -14,6 +14,9 @@ from .config import Course, MarkingTable, Sheet
 from .entries import Cell, entry_tables
 from .escape import printable
 from .explained import explained
+from .language.speech import later, phrase, retold, speaking
+from .language.translated import translated, translations
+from .language.writing import number_text
 from .markdown import markdown_html
 from .own_sheet import own_questions
 from .pages import template, with_formulas, write_page
@@ -28,7 +31,7 @@ from .times import late_text, rules_text
 from .words import points_text, share_text
 
 log = logging.getLogger(__name__)
-LOST = "A figure that belongs here could not be drawn. Your points do not depend on it."
+LOST = later("A figure that belongs here could not be drawn. Your points do not depend on it.")
 T = TypeVar("T")
 Block = dict[str, Any]
 """What a template shows of one thing, by the names that it uses."""
@@ -66,9 +69,26 @@ def write_feedback(
 
     It holds no reference value, unless the sheet shows its solutions.
     """
+    beside = translations(sheet.exercises, sheet.language, course.folder / "exercises")
+    shown = [translated(one, sheet.language, beside.get(one.slug)) for one in exercises]
+    with speaking(sheet.language, tuple(beside.values())):
+        html = _page(course, sheet, shown, result, records or {})
+    path = course.folder / "feedback" / result.student.id / f"{sheet.name}.html"
+    with speaking(sheet.language):
+        write_page(path, html)
+    return path
+
+
+def _page(
+    course: Course,
+    sheet: Sheet,
+    exercises: Sequence[Exercise],
+    result: Result,
+    drawn: Records,
+) -> str:
+    """The page in the language that is spoken."""
     student = result.student
     released = course.folder / "released" / student.id / f"{sheet.name}.ipynb"
-    drawn = records or {}
     numbers = {slug: record.numbers for slug, record in drawn.items()}
     questions = _or_nothing("question", own_questions, released, exercises, numbers) or {}
     verdicts = {verdict.part: verdict for verdict in result.verdicts}
@@ -83,7 +103,7 @@ def write_feedback(
         )
         blocks.append(_exercise_block(own))
 
-    html = template("feedback.html").render(
+    return template("feedback.html").render(
         course=course.settings.title,
         sheet=sheet.title or sheet.name,
         student=student,
@@ -96,23 +116,18 @@ def write_feedback(
         passed_over=result.passed_over,
         blocks=blocks,
         rules=_rules(course.settings.marking),
-        marks=[(MARKS[status], status, words) for status, words in STATUS_WORDS.items()],
+        marks=[(MARKS[status], status, retold(words)) for status, words in STATUS_WORDS.items()],
     )
-    path = course.folder / "feedback" / student.id / f"{sheet.name}.html"
-    write_page(path, html)
-    return path
 
 
 def _notes(sheet: Sheet, result: Result) -> list[str]:
     """What deadline, attempts and publication make of the points, a sentence each."""
     notes = [late_text(result.late)]
     if result.attempts.of > 1:
-        notes.insert(0, f"This is file {result.attempts.this} of {result.attempts.of}.")
+        attempts = result.attempts
+        notes.insert(0, phrase("This is file {this} of {of}.", this=attempts.this, of=attempts.of))
     if result.excused:
-        notes.insert(0, "You are excused from this sheet: it does not count for you.")
-    if result.passed_over:
-        names = ", ".join(result.passed_over)
-        notes.append(f"Also there, and not marked: {names}.")
+        notes.insert(0, phrase("You are excused from this sheet: it does not count for you."))
     return [note for note in notes if note]
 
 
@@ -127,12 +142,14 @@ def _exercise_block(own: _Own) -> Block:
         waits = waits or worth is None
     numbers = None if own.record is None else own.record.numbers
     map_of_q, lost = _drawn("map", position, own.exercise, numbers)
-    points = f"{round(earned, 2):g}"
+    points = number_text(round(earned, 2))
     if waits:
         points += " + ?"
     return {
         "title": own.exercise.title,
-        "points": f"{points} of {points_text(own.exercise.points)}",
+        "points": phrase(
+            "{points} of {out_of}", points=points, out_of=points_text(own.exercise.points)
+        ),
         "question": Markup(own.question),  # noqa: S704 - the exercise's own text and numbers
         "position": map_of_q,
         "no_position": lost,
@@ -158,7 +175,7 @@ def _drawn(what: str, make: Callable[..., T], *of: Any) -> tuple[T | None, str]:
         return make(*of), ""
     except Exception:
         log.exception("a %s is left out of the feedback", what)
-        return None, LOST
+        return None, phrase(LOST)
 
 
 def _part_blocks(own: _Own) -> list[Block]:
@@ -193,7 +210,7 @@ def feedback_block(part: Part, verdict: Verdict) -> Block:
     answer = part.answer
     points = "–"
     if verdict.points is not None:
-        points = f"{verdict.points:g}"
+        points = number_text(verdict.points)
 
     options: list[Markup] = []
     if isinstance(answer, Choice):
@@ -203,17 +220,17 @@ def feedback_block(part: Part, verdict: Verdict) -> Block:
     rubric: list[tuple[str, str]] = []
     if isinstance(answer, Manual):
         text = verdict.answer
-        rubric = [(f"{worth:g}", criterion) for worth, criterion in answer.rubric]
+        rubric = [(number_text(worth), criterion) for worth, criterion in answer.rubric]
 
     return {
         "variable": part.variable,
         "prompt": with_formulas(part.prompt),
         "status": verdict.status,
-        "words": STATUS_WORDS[verdict.status],
+        "words": retold(STATUS_WORDS[verdict.status]),
         "mark": MARKS[verdict.status],
         "points": points,
-        "out_of": f"{verdict.out_of:g}",
-        "reading": verdict.reading,
+        "out_of": number_text(verdict.out_of),
+        "reading": retold(verdict.reading),
         "sentence": sentence(part, verdict),
         "findings": _findings(verdict, by_person=False),
         "comments": _findings(verdict, by_person=True),
@@ -238,7 +255,8 @@ def _findings(verdict: Verdict, *, by_person: bool) -> list[dict[str, str]]:
         if finding.private or finding.by_person != by_person:
             continue
         said, *typed = [printable(line) for line in finding.text.split("\n")]
-        shown.append({"sentence": said, "typed": "\n".join(typed)})
+        sentence_of = said if by_person else retold(said)
+        shown.append({"sentence": sentence_of, "typed": "\n".join(typed)})
     return shown
 
 

@@ -9,6 +9,8 @@ from dataclasses import dataclass
 from ..exercises.exercise import Exercise
 from .config import Sheet, Student
 from .escape import for_spreadsheet
+from .language.speech import ENGLISH, Language, speaking
+from .language.writing import number_text
 from .results import Result
 from .sheets import asked_parts
 
@@ -154,15 +156,22 @@ def _total(student: Student, own: Sequence[_Counting]) -> Total:
     return Total(student, known, out_of, tuple(missing), status)
 
 
-def grades_csv(sheets: Sequence[SheetResults]) -> str:
+def grades_csv(sheets: Sequence[SheetResults], language: Language = ENGLISH) -> str:
     """Every cell quoted; a grade that is not there is empty, never a zero.
 
     The columns of the roster come first, then the course total, then sheet by sheet its points, its
     status, what being late took off, where it has a deadline, and its parts. Where a notebook ran
-    without walls, a last column says whose.
+    without walls, a last column says whose. Where the language has a decimal comma, numbers have
+    it, and semicolons stand between the cells, as spreadsheets of that language want it.
     """
+    with speaking(language):
+        return _grades_csv(sheets)
+
+
+def _grades_csv(sheets: Sequence[SheetResults]) -> str:
     out = io.StringIO()
-    writer = csv.writer(out, quoting=csv.QUOTE_ALL, lineterminator="\n")
+    separator = ";" if number_text(0.5) == "0,5" else ","
+    writer = csv.writer(out, delimiter=separator, quoting=csv.QUOTE_ALL, lineterminator="\n")
     people = totals(sheets)
     stamped = any(_is_unsafe(sheets, i) for i in range(len(people)))
     stamp = ["level"] if stamped else []
@@ -224,4 +233,4 @@ def _sheet_cells(sheet: SheetResults, result: Result) -> list[str]:
 def _number(points: float | None) -> str:
     if points is None:
         return ""
-    return f"{points:g}"
+    return number_text(points)

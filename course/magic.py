@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from ..solutions.errors import KinegradeError
-from .check import TOLD, check_file, read_handout, remark_lines
+from .check import check_file, read_handout, remark_lines
 from .config import CourseError
 
 NAMED_BY_JUPYTER = "JPY_SESSION_NAME"
@@ -26,7 +26,7 @@ def check(line: str) -> None:
     except (KinegradeError, OSError) as error:
         print(error)  # noqa: T201 - the output of the cell
         return
-    lines = [*remark_lines(found), TOLD[handout.mode]]
+    lines = [*remark_lines(found), handout.told()]
     lines.append(f"{path.name} as it was saved at {saved:%H:%M:%S}; save it to have changes seen.")
     print("\n".join(lines))  # noqa: T201
 

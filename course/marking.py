@@ -214,7 +214,7 @@ def write_results(course: Course, gradebook: Gradebook, marked: Marked, machine:
     sheets: list[SheetResults] = []
     for sheet, results in marked:
         sheets.append(SheetResults(sheet, exercises_of(course, sheet), results))
-    write_atomically(course.folder / "grades.csv", grades_csv(sheets))
+    write_atomically(course.folder / "grades.csv", grades_csv(sheets, course.settings.language))
 
     pages = sum(bool(result.verdicts) for sheet in sheets for result in sheet.results)
     with progress("Writing feedback", pages) as step:

@@ -14,6 +14,8 @@ from markupsafe import Markup
 from .escape import printable_lines
 from .files import write_atomically
 from .formulas import page_text
+from .language.speech import language_spoken, phrase
+from .language.writing import day_text
 
 DAY = "\ue002"
 """A private character where a page says on which day it was written."""
@@ -32,7 +34,12 @@ def _environment() -> Environment:
         finalize=_shown,
         trim_blocks=True,
         lstrip_blocks=True,
+        extensions=["jinja2.ext.i18n"],
     )
+    environment.policies["ext.i18n.trimmed"] = True  # line breaks of a template are no part of it
+    environment.install_gettext_callables(phrase, _counted, newstyle=True)
+    environment.filters["printable"] = printable_lines  # for what is put into a translation
+    environment.globals["language"] = language_spoken
     script = _template_text("report.js")
     digest = b64encode(hashlib.sha256(script.encode()).digest()).decode()
     environment.globals["style"] = Markup(_template_text("style.css"))  # noqa: S704 - our own file
@@ -45,6 +52,11 @@ def _environment() -> Environment:
 def with_formulas(line: str) -> Markup:
     """A line of text as markup, with its formulas set."""
     return Markup(page_text(line))  # noqa: S704 - page_text escapes
+
+
+def _counted(one: str, many: str, number: int) -> str:
+    """A sentence with its places as they are: the template puts values into them."""
+    return phrase(one if number == 1 else many)
 
 
 def _shown(value: Any) -> Any:
@@ -64,7 +76,7 @@ def write_page(path: Path, html: str) -> None:
     A page that says the same already is left as it is: its day is that on which it was written.
     """
     today = date.today()  # noqa: DTZ011 - the day of whoever marks
-    data = html.replace(DAY, f"{today.day} {today:%B %Y}").encode("utf-8", errors="replace")
+    data = html.replace(DAY, day_text(today)).encode("utf-8", errors="replace")
     if not _says_the_same(path, html):
         write_atomically(path, data)
 

@@ -12,6 +12,8 @@ from .adjusting import exercises_on
 from .config import Format, LimitsTable, PackagesTable, Sheet, Student
 from .cores import worker_processes
 from .files import write_atomically
+from .language.speech import speaking
+from .language.translated import translated, translations
 from .sheet.assignment import Assignment
 from .sheet.matlab import starter
 from .sheet.notebook import handout_notebook, solution_notebook
@@ -82,13 +84,17 @@ def write(order: Order, exercises: Sequence[Exercise]) -> None:
 
 
 def _write(order: Order, exercises: Sequence[Exercise], paths: Sequence[Path]) -> None:
+    language = order.sheet.language
+    beside = translations(order.sheet.exercises, language, order.folder / "exercises")
     assignments: list[Assignment] = []
     for exercise, numbers in zip(exercises, order.numbers, strict=True):
-        assignments.append(Assignment(exercise, numbers))
+        shown = translated(exercise, language, beside.get(exercise.slug))
+        assignments.append(Assignment(shown, numbers))
 
     makers = _makers(order, assignments)
-    for path in paths:
-        write_atomically(path, makers[path]())
+    with speaking(language, tuple(beside.values())):
+        for path in paths:
+            write_atomically(path, makers[path]())
 
 
 def _makers(

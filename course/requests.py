@@ -6,6 +6,7 @@ from pathlib import Path
 from .config import Course, Sheet
 from .escape import printable_lines
 from .gradebook import Gradebook
+from .language.speech import later, phrase
 from .ledger.term import Request
 from .sheet.about import REQUEST
 from .sheets import asked_parts, exercises_of
@@ -13,7 +14,7 @@ from .sheets import asked_parts, exercises_of
 MOST = 20_000  # bytes that are read of a file
 WHOLE = "the whole sheet"
 NAMED = re.compile(r"^\W*([A-Za-z]\w*)\s*:\s*(.*)", re.ASCII)
-HOW = (
+HOW = later(
     "To have a part looked at again, hand in a text file {file} with a line for each: "
     "the name of the part, a colon, and why."
 )
@@ -21,7 +22,7 @@ HOW = (
 
 def how_to_ask(sheet: str) -> str:
     """A sentence for students."""
-    return HOW.format(file=f"{sheet}{REQUEST}")
+    return phrase(HOW, file=f"{sheet}{REQUEST}")
 
 
 def read_requests(course: Course, gradebook: Gradebook, sheet: Sheet) -> list[Request]:

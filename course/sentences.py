@@ -5,15 +5,20 @@ from typing import Any, cast
 from ..exercises.answers import Conditions, Configurations, Formulas, Function, Numbers, TableOf
 from ..exercises.exercise import Choice, Manual, Part
 from ..grader.marking.verdict import Verdict
+from .language.speech import later, phrase
 
-NO_NAME = "Which step went wrong cannot be told from the numbers alone."
-MISSING = (
+NO_NAME = later("Which step went wrong cannot be told from the numbers alone.")
+MISSING = later(
     "Nothing was handed in here: the variable still holds ..., or no cell of your file sets it."
 )
+AS_ENTRIES = later("Its entries are right one by one, but the answer as a whole {does_not}.")
+READABLE = later("It can be read and has the right form, but it {does_not}.")
+NONE_RIGHT = later("It can be read and has the right form, but none of its entries is right.")
+SOME_RIGHT = later("{right} of {of} entries are right; the others are marked ✗.")
 AS_A_WHOLE: dict[type, str] = {
-    Choice: "Another option is right; your reasons for this one are worth a second look.",
-    Conditions: "These are not the conditions that are asked for.",
-    Configurations: "These are not the configurations that are asked for.",
+    Choice: later("Another option is right; your reasons for this one are worth a second look."),
+    Conditions: later("These are not the conditions that are asked for."),
+    Configurations: later("These are not the configurations that are asked for."),
 }
 """What is said of an answer of a kind that is right or wrong as a whole."""
 
@@ -24,9 +29,9 @@ def sentence(part: Part, verdict: Verdict) -> str:
     if told or verdict.reading:
         return ""
     if verdict.status == "missing":
-        return MISSING
+        return phrase(MISSING)
     if isinstance(part.answer, Manual):
-        return "" if verdict.points is None else "Your marker read this answer."
+        return "" if verdict.points is None else phrase("Your marker read this answer.")
     if verdict.status == "correct":
         return _right(part, verdict)
     return _wrong(part, verdict)
@@ -35,31 +40,33 @@ def sentence(part: Part, verdict: Verdict) -> str:
 def _right(part: Part, verdict: Verdict) -> str:
     _, of = counted(verdict.right)
     if isinstance(part.answer, Numbers) and of > 1:
-        return f"All {of} entries are right, within what rounding may do."
+        return phrase("All {of} entries are right, within what rounding may do.", of=of)
     if isinstance(part.answer, Numbers):
-        return "Right, within what rounding may do."
+        return phrase("Right, within what rounding may do.")
     if isinstance(part.answer, Formulas | TableOf) and of > 1:
-        return "Every entry is right, however it was written."
+        return phrase("Every entry is right, however it was written.")
     if isinstance(part.answer, Function):
-        return "It gave the right result for every input that was tried."
-    return "Right."
+        return phrase("It gave the right result for every input that was tried.")
+    return phrase("Right.")
 
 
 def _wrong(part: Part, verdict: Verdict) -> str:
     for kind, said in AS_A_WHOLE.items():
         if isinstance(part.answer, kind):
-            return said
+            return phrase(said)
     right, of = counted(verdict.right)
-    does_not = "does not agree with your own numbers"
+    does_not = phrase("does not agree with your own numbers")
     if isinstance(part.answer, Formulas):
-        does_not = "does not hold for every value of its variables"
+        does_not = phrase("does not hold for every value of its variables")
+    if right == of > 1:  # what the entries are does not tell all
+        return phrase(AS_ENTRIES, does_not=does_not)
     if of <= 1:
-        return f"It can be read and has the right form, but it {does_not}. {NO_NAME}"
-    if right == 0:
-        return f"It can be read and has the right form, but none of its entries is right. {NO_NAME}"
-    if right == of:  # what the entries are does not tell all
-        return f"Its entries are right one by one, but the answer as a whole {does_not}."
-    return f"{right} of {of} entries are right; the others are marked ✗. {NO_NAME}"
+        told = phrase(READABLE, does_not=does_not)
+    elif right == 0:
+        told = phrase(NONE_RIGHT)
+    else:
+        told = phrase(SOME_RIGHT, right=right, of=of)
+    return f"{told} {phrase(NO_NAME)}"
 
 
 def counted(right: Any) -> tuple[int, int]:

@@ -7,6 +7,7 @@ from zoneinfo import ZoneInfo, ZoneInfoNotFoundError
 
 from pydantic import BaseModel, ConfigDict, Field, field_validator
 
+from .language.speech import ENGLISH, Language
 from .roster import SAFE_NAME
 
 Mode = Literal["practice", "graded", "exam"]
@@ -90,6 +91,7 @@ class Sheet(Adjusted):
         attempts: Which of several submissions counts.
         most_attempts: How many submissions count; left out, any number.
         resit_of: The sheet of which this is a second try; the better of both counts.
+        language: Of the sheet and its feedback; that of the course where it is left out.
     """
 
     name: Name
@@ -114,6 +116,7 @@ class Sheet(Adjusted):
     attempts: Attempts = "last"
     most_attempts: Annotated[int, Field(strict=True, ge=1, le=1000)] | None = None
     resit_of: str = ""
+    language: Language = ENGLISH
 
     @property
     def is_timed(self) -> bool:
@@ -181,6 +184,7 @@ class Settings(_Strict):
         title: Of the course; it stands on every sheet and page.
         formats: What sheets and worked solutions are written as.
         timezone: That of times that name none, such as Europe/Berlin.
+        language: Of sheets, feedback and checks; it says how grades.csv writes numbers, too.
     """
 
     title: Title
@@ -193,6 +197,7 @@ class Settings(_Strict):
     gradebook: GradebookTable = GradebookTable()
     packages: PackagesTable = PackagesTable()
     timezone: str = "UTC"
+    language: Language = ENGLISH
 
     @field_validator("timezone")
     @classmethod

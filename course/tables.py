@@ -12,6 +12,8 @@ from ..exercises.exercise import Exercise, Manual
 from ..grader.marking.verdict import STATUS_WORDS, Status
 from .console import say
 from .escape import printable
+from .language.speech import phrase
+from .language.writing import number_text
 from .marks import ByHand
 from .results import Result
 from .times import late_text
@@ -85,15 +87,16 @@ def legend() -> str:
 def result_text(result: Result) -> str:
     """Points of a result, or what stands in their place."""
     if result.excused:
-        return "excused"
+        return phrase("excused")
+    out_of = number_text(result.out_of)
     if result.points is not None:
-        return f"{result.points:g} / {result.out_of:g}"
+        return f"{number_text(result.points)} / {out_of}"
     if not result.verdicts:
         return "—"
     known = [verdict.points for verdict in result.verdicts if verdict.points is not None]
     if not known:
-        return "not graded"
-    return f"{result.so_far:g} + ? / {result.out_of:g}"
+        return phrase("not graded")
+    return f"{number_text(result.so_far)} + ? / {out_of}"
 
 
 def remark(result: Result, *, public: bool = False) -> str:

@@ -5,8 +5,20 @@ from datetime import UTC, datetime, timedelta, tzinfo
 from math import ceil
 
 from .errors import CourseError
+from .language.speech import phrase, phrase_count
+from .language.writing import number_text, time_text
 from .settings import Sheet
 
+__all__ = [
+    "IN_TIME",
+    "Lateness",
+    "days_text",
+    "late_text",
+    "lateness",
+    "read_time",
+    "rules_text",
+    "time_text",
+]
 DAY = timedelta(days=1)
 TAKES = "a time takes a form such as 2026-10-08T23:59 or 2026-10-08T23:59+02:00"
 
@@ -57,33 +69,33 @@ def lateness(sheet: Sheet, received: datetime, deadline: datetime | None) -> Lat
 def late_text(late: Lateness) -> str:
     """What is said of a submission that came late; empty where it did not."""
     if late.too_late:
-        return "It came in after the sheet was closed, and does not count."
+        return phrase("It came in after the sheet was closed, and does not count.")
     if not late.days:
         return ""
-    days = f"It came in late, {days_text(late.days)} begun"
+    days = days_text(late.days)
     if not late.percent:
-        return f"{days}; that costs nothing here."
-    return f"{days}; that takes {late.percent:g} % off the points."
+        return phrase("It came in late, {days} begun; that costs nothing here.", days=days)
+    return phrase(
+        "It came in late, {days} begun; that takes {percent} % off the points.",
+        days=days,
+        percent=number_text(late.percent),
+    )
 
 
 def days_text(days: int) -> str:
     """Days in words: "1 day", "3 days"."""
-    return "1 day" if days == 1 else f"{days} days"
-
-
-def time_text(time: datetime) -> str:
-    """As "Thursday, 8 October 2026, 23:59 (Europe/Berlin)"."""
-    return f"{time:%A}, {time.day} {time:%B %Y, %H:%M} ({time.tzinfo})"
+    return phrase_count("{number} day", "{number} days", days)
 
 
 def rules_text(sheet: Sheet) -> str:
     """When a sheet is to be handed in, and what being late costs; empty where nothing is set."""
     said: list[str] = []
     if sheet.deadline is not None:
-        said.append(f"Hand in until {time_text(sheet.deadline)}.")
+        said.append(phrase("Hand in until {time}.", time=time_text(sheet.deadline)))
         said += _late_rule(sheet)
     if sheet.closes is not None:
-        said.append(f"Nothing that comes in after {time_text(sheet.closes)} counts.")
+        closed = time_text(sheet.closes)
+        said.append(phrase("Nothing that comes in after {time} counts.", time=closed))
     said += _attempts(sheet)
     return " ".join(said)
 
@@ -93,24 +105,30 @@ def _late_rule(sheet: Sheet) -> list[str]:
         return []
     grace = ""
     if sheet.grace_minutes:
-        grace = f", once {sheet.grace_minutes} minutes have passed,"
+        minutes = sheet.grace_minutes
+        grace = phrase(", once {minutes} minutes have passed,", minutes=minutes)
     most = ""
     if sheet.late_most < 100:
-        most = f", at most {sheet.late_most:g} %"
-    each = f"Each day begun after that{grace} takes {sheet.late_percent:g} % off the points{most}."
+        most = phrase(", at most {percent} %", percent=number_text(sheet.late_most))
+    each = phrase(
+        "Each day begun after that{grace} takes {percent} % off the points{most}.",
+        grace=grace,
+        percent=number_text(sheet.late_percent),
+        most=most,
+    )
     return [each]
 
 
 def _attempts(sheet: Sheet) -> list[str]:
     if sheet.most_attempts == 1:
-        return ["You may hand in once; later files are not marked."]
-    number = "as often as you like"
+        return [phrase("You may hand in once; later files are not marked.")]
+    number = phrase("as often as you like")
     if sheet.most_attempts is not None:
-        number = f"up to {sheet.most_attempts} times"
+        number = phrase("up to {number} times", number=sheet.most_attempts)
     if sheet.attempts == "best":
-        return [f"You may hand in {number}; the best counts."]
+        return [phrase("You may hand in {often}; the best counts.", often=number)]
     if sheet.most_attempts is not None:
-        return [f"You may hand in {number}; the last one counts."]
+        return [phrase("You may hand in {often}; the last one counts.", often=number)]
     return []
 
 

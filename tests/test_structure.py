@@ -19,6 +19,7 @@ MODULES = [
     path.relative_to(ROOT) for package in ORDER for path in sorted((ROOT / package).rglob("*.py"))
 ]
 ENGINE = {"solutions"}
+SPOKEN = ENGINE | {"course/errors", "course/language"}
 ROOMS = {
     # Behind the modules of solutions/ that people call.
     "solutions": {
@@ -58,35 +59,45 @@ ROOMS = {
     "grader/telling": ENGINE | {"exercises", "grader/kinds", "grader/marking"},
     "grader/figures": ENGINE | {"exercises"},
     # Settings and words at the bottom, sheets above them, proofs above sheets, the command on top.
-    "course/ground": ENGINE | {"grader/collecting"},
-    "course/sheet": ENGINE
-    | {"course/ground", "exercises", "exercises/kinds", "grader/collecting", "grader/figures"}
+    "course/errors": ENGINE,
+    "course/language": ENGINE | {"course/errors", "exercises", "exercises/files"},
+    "course/ground": ENGINE | {"course/errors", "course/language", "grader/collecting"},
+    "course/sheet": SPOKEN
+    | {
+        "course/errors",
+        "course/ground",
+        "course/language",
+        "exercises",
+        "exercises/kinds",
+        "grader/collecting",
+        "grader/figures",
+    }
     | {"grader/jail"},
-    "course/typeset": ENGINE | {"course/ground", "course/sheet", "exercises", "exercises/kinds"},
-    "course/record": ENGINE | {"exercises"},
-    "course/adjusting": ENGINE | {"course/ground", "exercises", "exercises/files"},
-    "course/grading": ENGINE
+    "course/typeset": SPOKEN | {"course/ground", "course/sheet", "exercises", "exercises/kinds"},
+    "course/record": SPOKEN | {"exercises"},
+    "course/adjusting": SPOKEN | {"course/ground", "exercises", "exercises/files"},
+    "course/grading": SPOKEN
     | {"course/ground", "course/record", "course/adjusting", "course/sheet"}
     | {"exercises", "exercises/files"}
     | {"grader/collecting", "grader/jail", "grader/marking"},
-    "course/ledger": ENGINE | {"course/ground", "grader/marking"},
-    "course/term": ENGINE | {"course/ground", "course/ledger", "exercises", "grader/marking"},
+    "course/ledger": SPOKEN | {"course/ground", "grader/marking"},
+    "course/term": SPOKEN | {"course/ground", "course/ledger", "exercises", "grader/marking"},
     "course/ledger/migrations": set(),
     "course/ledger/migrations/versions": set(),
-    "course": ENGINE
+    "course": SPOKEN
     | {"course/ground", "course/record", "course/sheet", "course/typeset", "course/ledger"}
     | {"course/grading", "course/adjusting", "course/term"}
     | {"exercises", "exercises/files"}
     | {"grader/collecting", "grader/jail", "grader/reading", "grader/marking", "grader/telling"}
     | {"grader/figures"},
-    "course/proof": ENGINE
+    "course/proof": SPOKEN
     | {"course", "course/ground", "course/record", "course/sheet", "course/typeset"}
     | {"exercises", "exercises/files"}
     | {"grader/collecting", "grader/jail", "grader/kinds", "grader/marking", "grader/telling"},
-    "course/exchange": ENGINE
+    "course/exchange": SPOKEN
     | {"course", "course/ground", "course/sheet", "course/term", "exercises", "exercises/files"}
     | {"grader/jail", "grader/marking"},
-    "course/command": ENGINE
+    "course/command": SPOKEN
     | {"course", "course/ground", "course/sheet", "course/proof", "course/exchange"}
     | {"exercises", "exercises/files"}
     | {"grader/figures", "grader/jail"},
@@ -98,6 +109,7 @@ ROOM_OF = {
     "course/exchange_command": "course/command",
     "course/record": "course/record",
     "course/adjusting": "course/adjusting",
+    "course/errors": "course/errors",
     **dict.fromkeys(
         [
             f"course/{name}"
@@ -106,7 +118,6 @@ ROOM_OF = {
                 "console",
                 "code",
                 "cores",
-                "errors",
                 "escape",
                 "files",
                 "formulas",

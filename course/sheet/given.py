@@ -7,6 +7,7 @@ from ...exercises.exercise import Exercise
 from ...exercises.kinds.kind import listed_rows
 from ...solutions.expression import latex_name
 from ..formulas import given_number
+from ..language.speech import phrase
 
 
 def printed(exercise: Exercise, v: dict[str, Any]) -> dict[str, Any]:
@@ -40,9 +41,10 @@ def unit_names(unit: Any) -> list[str]:
 
 def given_cell(exercise: Exercise, v: dict[str, Any]) -> str:
     """Python that sets every printed number under a name of its own, such as rrt_d1."""
-    head = (
-        f"# Your numbers for {exercise.slug}, in metres, radians and seconds. "
-        "Run this cell, do not change it."
+    head = phrase(
+        "# Your numbers for {slug}, in metres, radians and seconds. "
+        "Run this cell, do not change it.",
+        slug=exercise.slug,
     )
     lines = [head]
     for name, value, unit in given(exercise, v):
@@ -65,7 +67,7 @@ def given_numbers(exercise: Exercise, v: dict[str, Any]) -> list[str]:
     """Markdown: numbers and vectors in one line, every matrix on its own."""
     inline, displayed = given_formulas(exercise, v)
     line = r", $\quad$ ".join(f"${latex}$" for latex in inline)
-    return [f"**Your numbers:** {line}", *[f"$${latex}$$" for latex in displayed]]
+    return [f"**{phrase('Your numbers:')}** {line}", *[f"$${latex}$$" for latex in displayed]]
 
 
 def given_formulas(exercise: Exercise, v: dict[str, Any]) -> tuple[list[str], list[str]]:
@@ -87,7 +89,10 @@ def given_form(exercise: Exercise, v: dict[str, Any]) -> str:
     chosen = [f"`{name} {_plainly(v[name])}`" for name in exercise.structure if name in v]
     if not chosen:
         return ""
-    return f"*Your variant of this exercise, to name when you ask about it: {', '.join(chosen)}.*"
+    form = ", ".join(chosen)
+    return phrase(
+        "*Your variant of this exercise, to name when you ask about it: {form}.*", form=form
+    )
 
 
 def _plainly(value: Any) -> str:

@@ -10,6 +10,7 @@ from ...exercises.exercise import Exercise, Part, Rows
 from ...exercises.kinds.manual import is_on_paper
 from ..config import SCRIPT_NAME, CourseError, Sheet, Student
 from ..escape import printable
+from ..language.speech import later, phrase, retold
 from ..words import points_text
 from .assignment import Assignment
 from .given import given, unit_names
@@ -21,9 +22,22 @@ WIDTH = 100
 FORMATTED = ("$", "\\", "|", "](", "<")
 """Formulas, tables, links and markup: what has them is read in the notebook."""
 STACKED: dict[Rows, str] = {
-    "linear, angular": "linear rows above angular",
-    "angular, linear": "angular rows above linear",
+    "linear, angular": later("linear rows above angular"),
+    "angular, linear": later("angular rows above linear"),
 }
+
+FILLING_IN = later(
+    "The questions with formulas and figures stand in {sheet}.ipynb. The numbers below are yours "
+    "alone. Fill in the blanks, keep the names of the variables, run the whole script, and hand in "
+    "{sheet}.mat."
+)
+QUESTION = later("The question: {sheet}.ipynb, number and title as here.")
+RESULTS = later("Results of {call} for the arguments in each cell of {inputs}:")
+TEXTS = later(
+    "Units are metres, radians and seconds. Text stands in single quotes: text in double quotes "
+    "and symbolic objects cannot be read outside MATLAB; char(...) turns both into text. What is "
+    "left empty is not answered."
+)
 
 
 def starter(course: str, sheet: Sheet, student: Student, assignments: Sequence[Assignment]) -> str:
@@ -58,18 +72,17 @@ def _handed_in(assignments: Sequence[Assignment]) -> list[Part]:
 
 def _heading(course: str, sheet: Sheet, student: Student) -> Iterator[str]:
     yield from _comment(sheet.title or sheet.name)
-    yield from _comment(f"{course}, sheet {sheet.name}, {student.name} ({student.id})")
+    whose = phrase(
+        "{course}, sheet {sheet}, {name} ({student})",
+        course=course,
+        sheet=sheet.name,
+        name=student.name,
+        student=student.id,
+    )
+    yield from _comment(whose)
     yield "%"
-    yield from _comment(
-        f"The questions with formulas and figures stand in {sheet.name}.ipynb. The numbers below "
-        "are yours alone. Fill in the blanks, keep the names of the variables, run the whole "
-        f"script, and hand in {sheet.name}.mat."
-    )
-    yield from _comment(
-        "Units are metres, radians and seconds. Text stands in single quotes: text in double "
-        "quotes and symbolic objects cannot be read outside MATLAB; char(...) turns both into "
-        "text. What is left empty is not answered."
-    )
+    yield from _comment(phrase(FILLING_IN, sheet=sheet.name))
+    yield from _comment(phrase(TEXTS))
 
 
 def _section(number: int, exercise: Exercise, v: dict[str, Any], sheet: Sheet) -> Iterator[str]:
@@ -86,7 +99,7 @@ def _section(number: int, exercise: Exercise, v: dict[str, Any], sheet: Sheet) -
 
 def _statement(text: str, sheet: Sheet) -> Iterator[str]:
     if not _is_plain(text):
-        yield from _comment(f"The question: {sheet.name}.ipynb, number and title as here.")
+        yield from _comment(phrase(QUESTION, sheet=sheet.name))
         return
     for paragraph in re.split(r"\n\s*\n", text):
         yield from _comment(paragraph)
@@ -117,7 +130,7 @@ def _blank(part: Part, exercise: Exercise, v: dict[str, Any]) -> Iterator[str]:
     """Where a part is answered, with what its answer looks like."""
     answer = part.answer
     if is_on_paper(answer):
-        yield from _comment("On paper: nothing is expected in this file.")
+        yield from _comment(phrase("On paper: nothing is expected in this file."))
         return
     if isinstance(answer, Function):
         calls = answer.published_calls(v)
@@ -129,28 +142,31 @@ def _blank(part: Part, exercise: Exercise, v: dict[str, Any]) -> Iterator[str]:
 
     for name, (first, *others) in answer.declared_beside.items():
         alternatives = ", ".join(map(literal, others))
-        yield f"{part.beside[name]} = {literal(first)};  % or {alternatives}"
-    value, form = answer.matlab(STACKED[exercise.rows])
-    comment = _one_line(form.replace("NAME", part.variable))
+        other = phrase("or {alternatives}", alternatives=alternatives)
+        yield f"{part.beside[name]} = {literal(first)};  % {other}"
+    value, form = answer.matlab(phrase(STACKED[exercise.rows]))
+    comment = _one_line(retold(form).replace("NAME", part.variable))
     yield f"{part.variable} = {value};  % {comment}"
 
 
 def _options(answer: Choice) -> Iterator[str]:
     for letter, option in zip(answer.letters, answer.options, strict=False):
-        shown = option if _is_plain(option) else "see the notebook"
+        shown = option if _is_plain(option) else phrase("see the notebook")
         yield from _comment(f"  {letter}: {shown}")
 
 
 def _published(name: str, answer: Function, calls: Sequence[Sequence[Any]]) -> Iterator[str]:
     """The inputs whose results are asked in place of a function."""
-    yield from _comment(
-        f"Results of {name}{answer.signature} for the arguments in each cell of {name}_inputs:"
-    )
+    results = phrase(RESULTS, call=f"{name}{answer.signature}", inputs=f"{name}_inputs")
+    yield from _comment(results)
     yield f"{name}_inputs = {{ ..."
     for arguments in calls:
         yield _call(arguments)
     yield "};"
-    yield f"{name} = cell(1, {len(calls)});  % {name}{{k}} = result for {name}_inputs{{k}}{{:}}"
+    each = phrase(
+        "{result} = result for {inputs}", result=f"{name}{{k}}", inputs=f"{name}_inputs{{k}}{{:}}"
+    )
+    yield f"{name} = cell(1, {len(calls)});  % {each}"
 
 
 def _call(arguments: Sequence[Any]) -> str:
@@ -166,7 +182,7 @@ def _call(arguments: Sequence[Any]) -> str:
 
 
 def _saving(sheet: Sheet, parts: Sequence[Part]) -> Iterator[str]:
-    yield f"%% Saving {sheet.name}.mat, the file to hand in"
+    yield "%% " + phrase("Saving {sheet}.mat, the file to hand in", sheet=sheet.name)
     names: list[str] = []
     for part in parts:
         names += [f"'{name}'" for name in (*part.beside.values(), part.variable)]

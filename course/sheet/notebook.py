@@ -5,8 +5,10 @@ from typing import Any
 
 from ...exercises.exercise import Exercise, Manual
 from ..config import LimitsTable, PackagesTable, Sheet, Student
+from ..language.speech import ENGLISH, later, phrase
 from .about import KEY
 from .assignment import Assignment
+from .blank import blank_text
 from .given import given_cell, printed
 from .heading import heading, row_orders, solution_heading
 from .notebook_file import code_cell, folded_cell, markdown_cell, notebook_file
@@ -15,7 +17,7 @@ from .self_check import self_check
 from .worked import rubric
 
 IMPORTS = "import numpy as np"
-SELF_CHECK = (
+SELF_CHECK = later(
     "## Self-check\n\nRun the folded cell below at any time. It sees what is there, not whether it "
     "is right. Where Kinegrade is installed, `%load_ext kinegrade` and then `%check` say more."
 )
@@ -81,7 +83,7 @@ def handout_cells(
         cells += [markdown_cell(question), code_cell(given_cell(one.exercise, one.v))]
         cells += _blanks(one.exercise, hints=sheet.mode != "exam")
     asked = [part for one in assignments for part in one.exercise.asked]
-    return [*cells, markdown_cell(SELF_CHECK), folded_cell(self_check(asked))]
+    return [*cells, markdown_cell(phrase(SELF_CHECK)), folded_cell(self_check(asked))]
 
 
 def self_description(
@@ -127,7 +129,10 @@ def solution_notebook(
 
 
 def _about(sheet: Sheet, student: Student) -> dict[str, Any]:
-    return {"sheet": sheet.name, "student": student.id, "mode": sheet.mode}
+    about: dict[str, Any] = {"sheet": sheet.name, "student": student.id, "mode": sheet.mode}
+    if sheet.language != ENGLISH:
+        about["language"] = sheet.language
+    return about
 
 
 def _questions(assignments: Sequence[Assignment]) -> list[str]:
@@ -142,7 +147,7 @@ def _questions(assignments: Sequence[Assignment]) -> list[str]:
 def _blanks(exercise: Exercise, *, hints: bool) -> Iterator[Any]:
     for part in exercise.asked:
         yield markdown_cell(prompt_text(part, hints=hints))
-        yield code_cell(part.answer.blank(part.variable), part.variable)
+        yield code_cell(blank_text(part), part.variable)
 
 
 def _worked(one: Assignment) -> Iterator[Any]:

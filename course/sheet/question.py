@@ -3,8 +3,9 @@
 from collections.abc import Sequence
 from html import escape
 
-from ...exercises.exercise import Choice, Part
+from ...exercises.exercise import Choice, Exercise, Part
 from ...grader.figures.raster import data_uri
+from ..language.speech import phrase, retold
 from ..words import points_text
 from .assignment import WIDTH, Assignment, Figure
 from .given import given_form, given_numbers
@@ -21,7 +22,7 @@ def question_text(number: int, one: Assignment, *, order: bool = False) -> str:
     if exercise.objectives:
         blocks.append(f"*{' '.join(exercise.objectives)}*")
     if order:
-        blocks.append(f"In the Jacobians and twists of this exercise {STACKED[exercise.rows]}.")
+        blocks.append(order_text(exercise))
 
     statement = exercise.statement(one.v)
     if statement:
@@ -33,6 +34,12 @@ def question_text(number: int, one: Assignment, *, order: bool = False) -> str:
     if one.figures:
         blocks.append(figures_text(one.figures))
     return "\n\n".join(blocks)
+
+
+def order_text(exercise: Exercise) -> str:
+    """Which rows of a Jacobian come first in an exercise."""
+    rows = phrase(STACKED[exercise.rows])
+    return phrase("In the Jacobians and twists of this exercise {rows}.", rows=rows)
 
 
 def figures_text(figures: Sequence[Figure]) -> str:
@@ -65,7 +72,7 @@ def prompt_text(part: Part, *, hints: bool) -> str:
 def asked(part: Part) -> str:
     """Markdown of what a part asks, as sentences, without its name."""
     stop = "" if part.prompt.endswith((".", "?", "!", ":")) else "."
-    return f"{part.prompt}{stop} {part.answer.asked_beside}".rstrip()
+    return f"{part.prompt}{stop} {retold(part.answer.asked_beside)}".rstrip()
 
 
 def _options(answer: Choice) -> str:
@@ -76,4 +83,4 @@ def _options(answer: Choice) -> str:
 def _hints(hints: Sequence[str]) -> str:
     """A numbered list that opens when it is clicked on."""
     listed = "\n".join(f"{i}. {hint}" for i, hint in enumerate(hints, 1))
-    return f"<details><summary>Hints</summary>\n\n{listed}\n\n</details>"
+    return f"<details><summary>{phrase('Hints')}</summary>\n\n{listed}\n\n</details>"

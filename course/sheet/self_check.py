@@ -5,8 +5,26 @@ from importlib.resources import files
 
 from ...exercises.exercise import Part
 from ...exercises.kinds.manual import is_on_paper
+from ..language.speech import later, phrase
 
 TEMPLATE = "templates/self_check.txt"
+SENTENCES = (
+    later("not answered yet"),
+    later("takes a function"),
+    later("takes one of {', '.join(map(repr, form))}, or the text of an option"),
+    later("takes text in quotes"),
+    later("takes a list of conditions in quotes"),
+    later("not a table: takes a list of rows"),
+    later("takes {form} rows of theta, d, a, alpha, got rows of {rows}"),
+    later("takes formulas of shape {form}, got {shape}"),
+    later("ready: typed text, read when the sheet is marked"),
+    later("not numbers, or rows of different lengths"),
+    later("takes rows of {form} numbers"),
+    later("takes shape {form}, got {array.shape}"),
+    later("holds NaN or infinity"),
+    later("ready"),
+)
+"""What the cell says, as it stands in the template; what is in braces is Python."""
 
 
 def self_check(parts: Sequence[Part]) -> str:
@@ -18,4 +36,6 @@ def self_check(parts: Sequence[Part]) -> str:
         lines.append(f"    {part.variable!r}: {part.answer.self_check!r},")
 
     template = files("kinegrade.course").joinpath(TEMPLATE).read_text(encoding="utf-8")
+    for sentence in SENTENCES:
+        template = template.replace(f'"{sentence}"', f'"{phrase(sentence)}"')
     return template.replace("@ANSWERS@", "\n".join(lines)).rstrip("\n")

@@ -9,17 +9,18 @@ from ...exercises.exercise import Choice, Exercise, Manual, Numbers, Part
 from ...exercises.kinds.paper import Paper
 from ..config import Sheet, Student
 from ..escape import printable
+from ..language.speech import language_spoken, later, phrase
+from ..language.writing import number_text
 from ..sheet.assignment import Assignment, Figure
 from ..sheet.given import given_form, given_formulas
 from ..sheet.heading import (
-    ROUNDING,
-    STACKED,
     conventions,
     minutes_text,
     own_rules,
+    rounding,
     row_orders,
 )
-from ..sheet.question import asked
+from ..sheet.question import asked, order_text
 from ..words import points_text
 from .formula import formula
 from .mathml import FormulaError
@@ -27,16 +28,37 @@ from .prose import Block, formula_data, line, prose
 
 Data = dict[str, Any]
 LETTERS = "abcdefghijklmnopqrstuvwxyz"
-HANDING_IN = "The numbers on this sheet are yours alone."
-ANSWERING = (
+HANDING_IN = later("The numbers on this sheet are yours alone.")
+ANSWERING = later(
     "Write each answer into its boxes or onto its lines. The numbers at the left of a grid count "
     "its rows, those above it its columns."
 )
-EXAM = (
+EXAM = later(
     "Write into the boxes and onto the lines of the answer sheet. Every page carries the code of "
     "your variant; your name stands on this page alone."
 )
-SOLVED = "Every part with its question, the way to its answer, and the answer with your numbers."
+SOLVED = later(
+    "Every part with its question, the way to its answer, and the answer with your numbers."
+)
+WORDS = {
+    "answer_sheet": later("Answer sheet"),
+    "exercise": later("Exercise"),
+    "first_try": later("First try without."),
+    "for_points": later("For the points:"),
+    "hints": later("Hints"),
+    "matrix": later("matrix"),
+    "name": later("Name"),
+    "points": later("Points"),
+    "reached": later("Reached"),
+    "signature": later("Signature"),
+    "solution": later("Solution."),
+    "student": later("Student"),
+    "time": later("Time"),
+    "together": later("Together"),
+    "variant": later("Variant"),
+    "your_numbers": later("Your numbers:"),
+}
+"""Words of the template, by the names that it uses."""
 
 
 @dataclass(frozen=True)
@@ -67,7 +89,7 @@ def handout_data(front: Front, assignments: Sequence[Assignment]) -> Data:
         FormulaError: a formula cannot be set; the sentence names exercise and part.
     """
     opening = EXAM if front.is_exam else HANDING_IN
-    rules = f"{opening} {conventions(assignments)} {ROUNDING}"
+    rules = f"{phrase(opening)} {conventions(assignments)} {rounding(front.sheet)}"
     own = own_rules(front.sheet)
     if own:
         rules = f"{own}\n\n{rules}"
@@ -76,7 +98,7 @@ def handout_data(front: Front, assignments: Sequence[Assignment]) -> Data:
         for part, about in zip(one.exercise.asked, shown["parts"], strict=True):
             with _named(one.exercise, part.variable):
                 about.update(_blank(part, hints=not front.is_exam))
-    return data | {"kind": "handout", "foot": "", "answering": ANSWERING}
+    return data | {"kind": "handout", "foot": "", "answering": phrase(ANSWERING)}
 
 
 def solution_data(front: Front, assignments: Sequence[Assignment]) -> Data:
@@ -86,13 +108,13 @@ def solution_data(front: Front, assignments: Sequence[Assignment]) -> Data:
         ExerciseError: an exercise fails on the student's numbers.
         FormulaError: a formula cannot be set; the sentence names exercise and part.
     """
-    data = _document(front, assignments, f"{SOLVED} {conventions(assignments)}")
+    data = _document(front, assignments, f"{phrase(SOLVED)} {conventions(assignments)}")
     for one, shown in zip(assignments, data["exercises"], strict=True):
         shown["solved"] = [*map(_figure, one.solved_figures)]
         for part, about in zip(one.exercise.asked, shown["parts"], strict=True):
             with _named(one.exercise, part.variable):
                 about.update(_solution(one, part))
-    return data | {"kind": "solution", "foot": "Worked solution"}
+    return data | {"kind": "solution", "foot": phrase("Worked solution")}
 
 
 @contextmanager
@@ -111,16 +133,22 @@ def _document(front: Front, assignments: Sequence[Assignment], rules: str) -> Da
     exercises: list[Data] = []
     for number, one in enumerate(assignments, 1):
         exercises.append(_exercise(number, one, order=differ))
+    title = printable(front.title)
+    name, minutes = printable(front.student.name), minutes_text(front.sheet, assignments)
     return {
         "mode": front.sheet.mode,
+        "language": language_spoken(),
+        "words": {name: phrase(word) for name, word in WORDS.items()},
+        "solution_title": phrase("{title}: worked solution", title=title),
+        "about_minutes": phrase("about {minutes}", minutes=minutes),
         "course": printable(front.course),
-        "title": printable(front.title),
-        "name": printable(front.student.name),
+        "title": title,
+        "name": name,
         "student": front.student.id,
         "code": front.code,
         "points": points_text(points),
-        "worth": f"{points:g}",
-        "minutes": minutes_text(front.sheet, assignments),
+        "worth": number_text(points),
+        "minutes": minutes,
         "rules": prose(rules),
         "exercises": exercises,
     }
@@ -136,14 +164,13 @@ def _exercise(number: int, one: Assignment, *, order: bool) -> Data:
 
     with _named(exercise, "statement"):
         inline, displayed = given_formulas(exercise, one.v)
-        rows = f"In the Jacobians and twists of this exercise {STACKED[exercise.rows]}."
         return {
             "number": number,
             "title": line(exercise.title),
             "points": points_text(exercise.points),
-            "worth": f"{exercise.points:g}",
+            "worth": number_text(exercise.points),
             "objectives": line(" ".join(exercise.objectives)),
-            "order": line(rows if order else ""),
+            "order": line(order_text(exercise) if order else ""),
             "statement": prose(exercise.statement(one.v)),
             "numbers": {
                 "inline": [*map(_formula, inline)],
@@ -221,7 +248,12 @@ def _solution(one: Assignment, part: Part) -> Data:
         return {"steps": steps, "rubric": lines, "key": key, "code": ""}
 
     if isinstance(part.answer, Choice):
-        return {"steps": steps, "rubric": [], "key": f"Answer: {answer}", "code": ""}
+        return {
+            "steps": steps,
+            "rubric": [],
+            "key": phrase("Answer: {letter}", letter=answer),
+            "code": "",
+        }
 
     code = ""
     if not steps or not isinstance(part.answer, Numbers):  # of numbers, the last step shows them

@@ -1,0 +1,1 @@
+"""What students read, in the language of their sheet: catalogues, and the sentences in them."""
