@@ -144,6 +144,17 @@ def test_every_command_of_a_page_takes_its_options_also_where_it_is_not_run(page
                 context = command.make_context(name, rest, parent=context)
 
 
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
+def test_commands_in_the_text_of_a_page_exist(page):
+    text = FENCED.sub("", page.read_text(encoding="utf-8"))
+    for line in re.findall(r"`kinegrade ([a-z]+(?: [a-z]+)?)[^`]*`", text):
+        first, *second = line.split()
+        group = typer.main.get_command(app)
+        assert first in group.commands, line
+        below = getattr(group.commands[first], "commands", {})
+        assert not below or not second or second[0] in below, line
+
+
 def test_few_blocks_are_not_run_and_each_says_why():
     reasons = [block.reason for page in PAGES for block in blocks_of(page, "sh") if block.reason]
     assert all(len(reason) > 20 for reason in reasons)
