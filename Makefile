@@ -1,9 +1,10 @@
-# `make demo` shows the whole path, `make test` proves it, `make validate` proves the exercises, `make docs` builds the
-# documentation into site/, and `make density` prints how dense the code is. Each builds .venv when it is missing.
+# `make demo` shows the whole path, `make test` proves it, `make validate` proves the exercises, `make gallery` draws every
+# robot into docs/gallery, `make docs` builds the documentation into site/, and `make density` prints how dense the code is.
+# Each builds .venv when it is missing.
 PYTHON ?= python3
 BIN := .venv/bin
 
-.PHONY: demo test validate docs density clean
+.PHONY: demo test validate gallery docs density clean
 
 demo: .venv/product
 	$(BIN)/kinegrade demo
@@ -16,6 +17,9 @@ test: .venv/tests
 
 validate: .venv/product
 	$(BIN)/kinegrade validate --draws 100
+
+gallery: .venv/product
+	$(BIN)/python -m kinegrade.course.gallery docs/gallery
 
 docs: .venv/docs
 	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --strict --quiet
@@ -44,4 +48,4 @@ density: .venv/density
 	touch $@
 
 clean:
-	rm -rf .venv demo-course site build dist *.egg-info
+	rm -rf .venv demo-course docs/gallery site build dist *.egg-info

@@ -10,9 +10,9 @@ from pathlib import Path
 
 import numpy as np
 from kinegrade.solutions.chain import Array, Chain
-from kinegrade.solutions.program.emit import SYMBOLS, used_angles
+from kinegrade.solutions.program.source import SYMBOLS
 from kinegrade.solutions.program.tracer import Signed
-from kinegrade.solutions.program.walk import Program, trace
+from kinegrade.solutions.program.walk import Program, trace, used_angles
 
 Batch = Callable[[Array], Array]  # q (N, n) -> (N, 6, n)
 Single = Callable[[Array], Array]  # q (n,) -> (6, n)

@@ -2,7 +2,8 @@
 
 It takes no arguments. The peers are installed into a virtual environment of their own, once, and
 everything runs there, on one core. All Jacobians are compared to 1e-9 before any is timed. The
-contenders take turns, and the tables quote medians over the rounds: trust the ratios.
+contenders take turns, and the tables quote medians over the rounds and, in brackets, the range of
+the middle half of the ratios: trust the ratios.
 """
 
 import argparse
@@ -13,7 +14,18 @@ import venv
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-PEERS = ("roboticstoolbox-python", "pin", "modern_robotics", "kinpy")
+PEERS = (
+    "numba",
+    "casadi",
+    "jax",
+    "pin",
+    "mujoco",
+    "drake",
+    "PyKDL",
+    "roboticstoolbox-python",
+    "modern_robotics",
+    "kinpy",
+)
 ONE_CORE = dict.fromkeys(("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS"), "1")
 
 

@@ -17,10 +17,13 @@ from dataclasses import dataclass, field
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
+import compilers
 import contenders
 import numpy as np
+import simulators
 from jacobian import PEERS, ROOT
 from kinegrade.solutions.chain import Array, Chain, elementary
+from kinegrade.solutions.fast import fast
 from kinegrade.solutions.jacobian import jacobian
 from kinegrade.solutions.random_chain import random_chain
 from kinegrade.solutions.robots import ROBOTS
@@ -47,9 +50,16 @@ class Contender:
 
     def over(self, other: "Contender") -> float:
         """How many times as long as the other one took: the median of the ratios of all rounds."""
-        return statistics.median(
-            mine / its for mine, its in zip(self.times, other.times, strict=True)
-        )
+        return statistics.median(self.ratios(other))
+
+    def range_over(self, other: "Contender") -> str:
+        """That median, with the range of the middle half of the rounds in brackets."""
+        low, middle, high = statistics.quantiles(self.ratios(other), n=4, method="inclusive")
+        return f"{middle:,.2f} ({low:,.2f}-{high:,.2f})"
+
+    def ratios(self, other: "Contender") -> list[float]:
+        """How many times as long as the other one took in each round."""
+        return [mine / its for mine, its in zip(self.times, other.times, strict=True)]
 
 
 def main() -> None:
@@ -88,6 +98,7 @@ def puma(rounds: int) -> list[str]:
         textbook(chain, q),
         einsum(chain, q),
         *in_c(chain, q),
+        *compiled(chain, q),
         *loops(chain, q),
     ]
     alternate(compared, rounds)
@@ -95,7 +106,7 @@ def puma(rounds: int) -> list[str]:
         next(c for c in compared if c.name.startswith(f"ours, {x}")) for x in ("batch", "single")
     )
     rows = [
-        f"| {c.name} | {c.median:,.0f} | {c.over(batch):,.2f} | {c.over(single):,.2f} |"
+        f"| {c.name} | {c.median:,.0f} | {c.range_over(batch)} | {c.range_over(single)} |"
         for c in compared
     ]
     return [
@@ -162,6 +173,7 @@ def reduction() -> dict[str, float | str]:
 
 def ours(chain: Chain, q: Array) -> list[Contender]:
     out = np.empty((len(q), 6, chain.n))
+    quicker = fast(Chain(chain.fixed, chain.kinds))
     return [
         Contender(
             f"ours, batch of {len(q):,}, contiguous result", len(q), lambda: jacobian(chain, q)
@@ -169,6 +181,7 @@ def ours(chain: Chain, q: Array) -> list[Contender]:
         Contender("ours, the same with `out=`", len(q), lambda: jacobian(chain, q, out=out)),
         Contender("ours, batch of 1,000", 1000, lambda: jacobian(chain, q[:1000])),
         one_by_one("ours, single call", functools.partial(jacobian, chain), q[:2000]),
+        one_by_one("ours, single call, `fast`", functools.partial(jacobian, quicker), q[:10_000]),
     ]
 
 
@@ -203,6 +216,31 @@ def in_c(chain: Chain, q: Array) -> list[Contender]:
     return made
 
 
+def compiled(chain: Chain, q: Array) -> list[Contender]:
+    """What compiles formulas; those that are not installed are left out."""
+    made = list[Contender]()
+
+    def batch(name: str, function: contenders.Batch) -> None:
+        check(name, chain, q, function(q[:100]))
+        made.append(Contender(name, len(q), lambda: function(q)))
+
+    def casadi() -> None:
+        mapped, one = compilers.casadi_c(chain)
+        batch("CasADi, its C, `cc -O3`, in a loop", mapped)
+        made.append(one_by_one("CasADi, the same, single call by `buffer`", one, q[:2000]))
+
+    for add in (
+        lambda: batch("numba, our steps in a loop", compilers.numba_loop(chain)),
+        lambda: batch("JAX, `jit(vmap)`, float64", compilers.jax_batch(chain)),
+        casadi,
+    ):
+        try:
+            add()
+        except ImportError as error:
+            print(f"left out: {error}", file=sys.stderr)
+    return made
+
+
 def loops(chain: Chain, q: Array) -> list[Contender]:
     """The peers, one configuration after the other; those that are not installed are left out."""
     made = list[Contender]()
@@ -215,6 +253,9 @@ def loops(chain: Chain, q: Array) -> list[Contender]:
     except ImportError as error:
         print(f"Pinocchio is left out: {error}", file=sys.stderr)
     for name, function, count in (
+        ("MuJoCo, `mj_jacSite`", simulators.mujoco, 2000),
+        ("Drake, `CalcJacobianSpatialVelocity`", simulators.drake, 2000),
+        ("KDL, `ChainJntToJacSolver`", simulators.kdl, 500),
         ("roboticstoolbox, `ETS.jacob0` (C)", contenders.toolbox_ets, 2000),
         ("roboticstoolbox, `DHRobot.jacob0`", contenders.toolbox_puma, 100),
         ("modern_robotics, `JacobianSpace`", contenders.modern_robotics, 50),

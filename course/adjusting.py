@@ -45,6 +45,22 @@ def adjusted(exercises: Sequence[Exercise], sheet: Sheet) -> list[Exercise]:
     return [_worth(exercise, points) for exercise, points in zip(made, worth, strict=True)]
 
 
+def adjusted_by(adjustments: Mapping[str, Any], exercises: Iterable[Exercise]) -> list[Exercise]:
+    """All exercises of a sheet with its adjustments as plain data.
+
+    Raises:
+        CourseError: as `adjusted`.
+        ValueError: the adjustments are damaged.
+    """
+    found = list(exercises)
+    return adjusted(found, _sheet(found, adjustments))
+
+
+def _sheet(exercises: Iterable[Exercise], adjustments: Mapping[str, Any]) -> Sheet:
+    slugs = [exercise.slug for exercise in exercises]
+    return Sheet.model_validate({"name": "sheet", "exercises": slugs, **adjustments})
+
+
 def adjusted_here(exercises: Sequence[Exercise], adjustments: Mapping[str, Any]) -> list[Exercise]:
     """Those exercises of a sheet that are installed here, with the adjustments that concern them.
 
@@ -53,9 +69,8 @@ def adjusted_here(exercises: Sequence[Exercise], adjustments: Mapping[str, Any])
     Raises:
         ValueError: the adjustments, which a notebook brought along, are damaged.
     """
-    slugs = [exercise.slug for exercise in exercises]
-    whole = Sheet.model_validate({"name": "sheet", "exercises": slugs, **adjustments})
-    tables = {slug: table for slug, table in whole.exercise.items() if slug in slugs}
+    whole = _sheet(exercises, adjustments)
+    tables = {slug: table for slug, table in whole.exercise.items() if slug in whole.exercises}
     names = asked_names(exercises)
     parts = [table for table in whole.part if table.name in names]
     sheet = whole.model_copy(update={"exercise": tables, "part": tuple(parts), "points": None})

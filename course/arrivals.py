@@ -7,7 +7,7 @@ from zoneinfo import ZoneInfo
 
 from .config import Course, Sheet
 from .gradebook import Gradebook
-from .term.received import file_time, read_receipts
+from .term.received import file_time, listed_times
 
 if TYPE_CHECKING:
     from datetime import datetime
@@ -24,9 +24,7 @@ def note_arrivals(
         CourseError: received.csv cannot be read.
     """
     zone = ZoneInfo(course.settings.timezone)
-    listed: dict[tuple[str, str, str], datetime] = {}
-    for one in read_receipts(course.folder, zone):
-        listed[one.student, one.sheet, one.file] = one.received
+    listed = listed_times(course.folder, zone)
     known = gradebook.term.arrivals(sheet.name)
     times: dict[tuple[str, str], datetime] = {}
     for (student, submission), path in files.items():

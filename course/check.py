@@ -1,6 +1,5 @@
 """A student's own check of one file: what the sheet's mode allows, from the sheet's numbers."""
 
-import json
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -24,8 +23,8 @@ from .adjusting import adjusted_here
 from .config import CourseError, LimitsTable, Mode, PackagesTable, Sheet
 from .drawn import drawn
 from .escape import printable
-from .sheet.notebook import KEY
-from .sheet.submissions import read_submission
+from .sheet.about import read_about
+from .sheet.handed_in import read_handed_in
 
 MOST_PLACES = 6  # of wrong entries that are named
 SAMPLES = 12  # draws that show which answers hang on numbers that the sheet does not print
@@ -68,9 +67,9 @@ def check_file(
         CourseError: a file cannot be read, or does not say which sheet it belongs to.
         ExerciseError: an exercise file of the course cannot be run.
     """
-    folders = _folders(path, exercises)
-    submission = read_submission(path)
-    handout = read_handout(sheet or path)
+    folders = exercise_folders(path, exercises)
+    submission = read_handed_in(path)
+    handout = read_handout(sheet) if sheet else handout_in(submission.data, submission.path)
     installed, missing = _installed(handout, folders)
     if not installed:
         raise CourseError(f"{sheet or path}: {_none_installed(handout, folders)}")
@@ -107,7 +106,12 @@ def remark_lines(found: Iterable[Remark]) -> Iterator[str]:
             yield f"{'':30} {printable(line)}"
 
 
-def _folders(path: Path, exercises: Path | None) -> list[Path]:
+def exercise_folders(path: Path, exercises: Path | None) -> list[Path]:
+    """Where a course's own exercises are: the folder that is named, else those of `own_folders`.
+
+    Raises:
+        CourseError: what is named is no folder.
+    """
     if exercises is None:
         return own_folders(path)
     if not exercises.is_dir():
@@ -194,15 +198,22 @@ def unseen_parts(exercise: Exercise, v: dict[str, Any]) -> set[str]:
 
 
 def read_handout(path: Path) -> Handout:
-    """Sheet, mode and numbers from a notebook's metadata.
+    """Sheet, mode and numbers from what a notebook or script says of itself.
 
     Raises:
-        CourseError: it is no notebook, or the metadata were lost; it says what to do then.
+        CourseError: it is neither, or that was lost; it says what to do then.
     """
     try:
-        return _handout(json.loads(path.read_bytes())["metadata"][KEY])
+        data = path.read_bytes()
     except OSError as error:
         raise CourseError(f"{path} cannot be read: {error.strerror}") from error
+    return handout_in(data, path)
+
+
+def handout_in(data: bytes, path: Path) -> Handout:
+    """As `read_handout`, of bytes that were read from there."""
+    try:
+        return _handout(read_about(data, path.suffix.lower()))
     except (ValueError, KeyError, TypeError, RecursionError) as error:
         raise CourseError(
             f"{path} does not say which sheet it belongs to (another program may have dropped "

@@ -23,7 +23,7 @@ from .plot_command import plot
 from .term_command import term
 
 if TYPE_CHECKING:
-    from .grading import Result
+    from .results import Result
 
 app = typer.Typer(
     help="Personal exercise sheets, worked solutions and marking for the robot Jacobian.",
@@ -91,11 +91,22 @@ def demo(
     help="Write a commented course.toml, a roster.csv, the course's secret, "
     "and a .gitignore that keeps it to yourself."
 )
-def init(folder: Annotated[Path, typer.Argument(help="A new course folder.")]) -> None:
+def init(
+    folder: Annotated[Path, typer.Argument(help="A new course folder.")],
+    last: Annotated[
+        Path | None,
+        typer.Option(
+            "--from",
+            help="A course of another year: its settings and exercises are taken over, "
+            "nothing of its people.",
+        ),
+    ] = None,
+) -> None:
     """Write the files of a new course."""
     from .new_course import write_course
+    from .next_year import write_next_course
 
-    for path in write_course(folder):
+    for path in write_course(folder) if last is None else write_next_course(folder, last):
         print(path)
     say(f"Fill in roster.csv, then: kinegrade generate --course {quote(str(folder))}")
 
@@ -151,23 +162,24 @@ def grade(
             help="Run notebooks without walls where none can be had; the marks say so.",
         ),
     ] = False,
+    cluster: Annotated[
+        str,
+        typer.Option(
+            "--cluster",
+            help="Mark on the workers of a Dask scheduler, such as tcp://127.0.0.1:8786.",
+        ),
+    ] = "",
     as_json: JsonOption = False,
 ) -> None:
     """Mark what was handed in; write grades.csv, feedback and the report."""
     from ..grader.jail.level import Permission
-    from .marking import level_line, mark_sheets, show
+    from .marking import How, level_line, mark_sheets, show
     from .tables import results_json
 
     with opened(folder, place) as (course, gradebook):
         chosen = course.sheets(tuple(sheets or ()))
-        marked = mark_sheets(
-            course,
-            gradebook,
-            chosen,
-            accept_change=accept_change,
-            again=again,
-            permission=Permission(accept_medium, unsafe),
-        )
+        how = How(accept_change, again, Permission(accept_medium, unsafe), cluster)
+        marked = mark_sheets(course, gradebook, chosen, how)
         level = level_line(gradebook.noted_level())
         if not as_json:
             show(course, marked, level)
@@ -182,7 +194,9 @@ def grade(
 
 @app.command()
 def check(
-    file: Annotated[Path, typer.Argument(help="Your notebook, .json, .csv or .mat.")],
+    file: Annotated[
+        Path, typer.Argument(help="Your notebook, .py, .json, .csv, .mat, .m or .zip.")
+    ],
     sheet: Annotated[
         Path | None, typer.Option("--sheet", help="The notebook as it was handed out.")
     ] = None,
@@ -204,6 +218,38 @@ def check(
     say(TOLD[handout.mode])
     if not all(remark.ok for remark in found):
         raise typer.Exit(1)
+
+
+@app.command()
+def practice(
+    exercise: Annotated[str, typer.Argument(help="The name of an exercise, such as rrt.")],
+    seed: Annotated[
+        int | None, typer.Option("--seed", min=0, help="Which variant; else another every time.")
+    ] = None,
+    output: Annotated[
+        Path | None, typer.Option("--output", "-o", help="An .ipynb or a .pdf file.")
+    ] = None,
+    solution: Annotated[
+        bool, typer.Option("--solution", help="Write the worked solution beside it, too.")
+    ] = False,
+    exercises: Annotated[
+        Path | None,
+        typer.Option(
+            "--exercises", help="A folder with exercise files of a course, which are run."
+        ),
+    ] = None,
+) -> None:
+    """Write a sheet with fresh numbers to practise on; needs no course folder."""
+    from .practice import practice as draw
+    from .practice import write_practice
+
+    made = draw(exercise, seed, exercises)
+    first, *others = write_practice(made, output, solution=solution)
+    for path in (first, *others):
+        print(path)
+    say(f"Seed {made.seed}: --seed {made.seed} gives these numbers again.")
+    if first.suffix == ".ipynb":
+        say(f"When you have answered: kinegrade check {quote(str(first))}")
 
 
 @app.command()

@@ -80,6 +80,7 @@ class _OneOfEach(logging.Handler):
             said = f"{said}: {stopped(error)}"
             where = place(error)
         kind = (record.name, record.msg, type(error).__name__, where)
+        kind = getattr(record, "complaint", kind)  # another process has looked at it already
         if kind in self._first:
             self._more[kind] += 1
             return

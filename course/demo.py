@@ -13,7 +13,7 @@ from .console import progress
 from .files import write_atomically
 from .gradebook import Gradebook, gradebook_of
 from .habits import HABITS, Answers, Code, Habit, Spoil
-from .marking import level_line, mark_sheets, marked_sheets, show
+from .marking import How, level_line, mark_sheets, marked_sheets, show
 from .marks import by_hand
 from .secret import FILE
 from .sheets import exercises_of, generate
@@ -52,9 +52,9 @@ def run_demo(folder: Path) -> None:
         for sheet in course.settings.sheet:
             hand_in(course, gradebook, sheet)
         # The notebooks are ours: a demonstration asks for nothing to be installed.
-        marked_sheets(course, gradebook, course.settings.sheet, permission=ANY)
+        marked_sheets(course, gradebook, course.settings.sheet, How(permission=ANY))
         mark_by_hand(course, gradebook)
-        marked = mark_sheets(course, gradebook, course.settings.sheet, permission=ANY)
+        marked = mark_sheets(course, gradebook, course.settings.sheet, How(permission=ANY))
         show(course, marked, level_line(gradebook.noted_level()))
     first = course.students[0].id
     sys.stderr.write(

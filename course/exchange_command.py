@@ -34,32 +34,48 @@ WorksheetOption = Annotated[
 ]
 
 
+FromOption = Annotated[
+    str,
+    typer.Option(
+        "--from", help="moodle, canvas, gradescope, nbgrader or classroom; else it is found out."
+    ),
+]
+ReceivedOption = Annotated[
+    str,
+    typer.Option(
+        "--received",
+        help="When files came in of which the download says no time and not that they are late, "
+        "such as 2026-11-23T23:59.",
+    ),
+]
+
+
 @exchange.command()
 def collect(
     download: Annotated[Path, typer.Argument(help="A zip file or a folder.")],
-    system: Annotated[
-        str,
-        typer.Option(
-            "--from",
-            help="moodle, canvas, gradescope, nbgrader or classroom; else it is found out.",
-        ),
-    ] = "",
+    system: FromOption = "",
     worksheet: WorksheetOption = None,
     sheet: Annotated[
         str, typer.Option("--sheet", help="The sheet, for files that do not say which.")
     ] = "",
     zone: ZoneOption = "",
+    received: ReceivedOption = "",
     folder: CourseOption = Path(),
 ) -> None:
     """Take what was handed in from a system's download into submitted/, with the times."""
     from .config import read_course
+    from .exchange.collection import Wanted
     from .exchange.collection import collect as take_in
-    from .exchange.moments import zone_named
+    from .exchange.moments import time_given, zone_named
+    from .leftovers import cleared
 
     course = read_course(folder)
     if not zone and "timezone" in course.settings.model_fields_set:
         zone = course.settings.timezone
-    taken = take_in(course, download, system, worksheet, sheet, zone_named(zone))
+    own = zone_named(zone)
+    wanted = Wanted(system, worksheet, sheet, own, time_given(received, own))
+    with cleared(folder):
+        taken = take_in(course, download, wanted)
     for path in taken.paths:
         print(path)  # noqa: T201 - data of the command
     for sentence in (*taken.conflicts, *taken.notes):
@@ -80,6 +96,7 @@ def handout(
     from .config import read_course
     from .exchange.handouts import for_moodle, plain
     from .exchange.worksheet import read_worksheet
+    from .leftovers import cleared
     from .times import time_text
 
     course = read_course(folder)
@@ -87,10 +104,11 @@ def handout(
     if chosen.release is not None and chosen.release > datetime.now(UTC):
         say(f"Sheet {sheet} is for {time_text(chosen.release)}; do not hand it out before.")
     place = output or folder / OUTPUT
-    print(plain(course, chosen, place))  # noqa: T201 - data of the command
-    if worksheet is not None:
-        table = read_worksheet(worksheet)
-        print(for_moodle(course, chosen, table, place))  # noqa: T201 - data of the command
+    with cleared(folder):
+        print(plain(course, chosen, place))  # noqa: T201 - data of the command
+        if worksheet is not None:
+            table = read_worksheet(worksheet)
+            print(for_moodle(course, chosen, table, place))  # noqa: T201 - data of the command
 
 
 @exchange.command()

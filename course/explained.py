@@ -8,7 +8,7 @@ from ..exercises.exercise import Exercise, Numbers, Part
 from ..grader.figures.motion import motion
 from ..grader.figures.sketch import sketch
 from ..grader.marking.verdict import Verdict
-from .variant import Record
+from .record import Record
 
 SAYS = {
     "v": "how the tool point moves when one joint turns or slides with rate 1",

@@ -14,22 +14,21 @@ from .config import Course, MarkingTable, Sheet
 from .entries import Cell, entry_tables
 from .escape import printable
 from .explained import explained
-from .gradebook import Gradebook
-from .grades import SheetResults
-from .grading import Result
 from .markdown import markdown_html
 from .own_sheet import own_questions
 from .pages import template, with_formulas, write_page
 from .position import position
+from .record import Record
 from .requests import how_to_ask
+from .results import Result
 from .sentences import sentence
 from .sheet.worked import worked_steps
 from .tables import MARKS, result_text
 from .times import late_text, rules_text
-from .variant import Record
 from .words import points_text, share_text
 
 log = logging.getLogger(__name__)
+LOST = "A figure that belongs here could not be drawn. Your points do not depend on it."
 T = TypeVar("T")
 Block = dict[str, Any]
 """What a template shows of one thing, by the names that it uses."""
@@ -54,23 +53,6 @@ class _Own:
     verdicts: Mapping[str, Verdict]
     question: str
     solved: bool
-
-
-def write_all_feedback(
-    course: Course,
-    gradebook: Gradebook,
-    marked: SheetResults,
-    step: Callable[[], None] = lambda: None,
-) -> None:
-    """A page for everybody who has verdicts on the sheet; `step` is called after each."""
-    records: dict[str, dict[str, Record]] = {}
-    for record in gradebook.records(marked.sheet.name):
-        records.setdefault(record.student, {})[record.exercise] = record
-    for result in marked.results:
-        if result.verdicts:
-            own = records.get(result.student.id, {})
-            write_feedback(course, marked.sheet, marked.exercises, result, own)
-            step()
 
 
 def write_feedback(
@@ -111,6 +93,7 @@ def write_feedback(
         asking=how_to_ask(sheet.name),
         handing_in=rules_text(sheet),
         solved=sheet.show_solutions,
+        passed_over=result.passed_over,
         blocks=blocks,
         rules=_rules(course.settings.marking),
         marks=[(MARKS[status], status, words) for status, words in STATUS_WORDS.items()],
@@ -143,6 +126,7 @@ def _exercise_block(own: _Own) -> Block:
         earned += worth or 0.0
         waits = waits or worth is None
     numbers = None if own.record is None else own.record.numbers
+    map_of_q, lost = _drawn("map", position, own.exercise, numbers)
     points = f"{round(earned, 2):g}"
     if waits:
         points += " + ?"
@@ -150,7 +134,8 @@ def _exercise_block(own: _Own) -> Block:
         "title": own.exercise.title,
         "points": f"{points} of {points_text(own.exercise.points)}",
         "question": Markup(own.question),  # noqa: S704 - the exercise's own text and numbers
-        "position": _or_nothing("map", position, own.exercise, numbers),
+        "position": map_of_q,
+        "no_position": lost,
         "parts": parts,
     }
 
@@ -167,6 +152,15 @@ def _or_nothing(what: str, make: Callable[..., T], *of: Any) -> T | None:
         return None
 
 
+def _drawn(what: str, make: Callable[..., T], *of: Any) -> tuple[T | None, str]:
+    """A picture, and nothing; where it cannot be drawn nothing, and a sentence in its place."""
+    try:
+        return make(*of), ""
+    except Exception:
+        log.exception("a %s is left out of the feedback", what)
+        return None, LOST
+
+
 def _part_blocks(own: _Own) -> list[Block]:
     """Every part that has a verdict, with its figure and, where it is shown, its solution."""
     solutions: dict[str, Block] = {}
@@ -175,6 +169,7 @@ def _part_blocks(own: _Own) -> list[Block]:
 
     blocks: list[Block] = []
     figures: list[Any] = [None]
+    told = {""}
     for part in own.exercise.asked:
         verdict = own.verdicts.get(part.variable)
         if verdict is None:
@@ -182,7 +177,10 @@ def _part_blocks(own: _Own) -> list[Block]:
         block = feedback_block(part, verdict)
         block["solution"] = solutions.get(part.variable)
         if own.record is not None:
-            figure = _or_nothing("figure", explained, own.exercise, part, own.record, verdict)
+            figure, lost = _drawn("figure", explained, own.exercise, part, own.record, verdict)
+            if lost not in told:
+                told.add(lost)
+                block["no_figure"] = lost
             if figure not in figures:  # the same motion is asked in several ways
                 figures.append(figure)
                 block["figure"] = figure

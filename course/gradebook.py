@@ -21,7 +21,7 @@ from .ledger.opening import open_ledger
 from .ledger.tables import level as levels
 from .ledger.tables import record, reference
 from .ledger.term import TermLedger
-from .variant import Record, canonical, digest
+from .record import Record, canonical, digest
 
 __all__ = ["Event", "GradeKey", "Gradebook", "Mark", "OvertakenError", "gradebook_of"]
 FILE = "gradebook.sqlite"
@@ -154,30 +154,36 @@ class Gradebook:
         with self._database.writing() as connection:
             grades.see(connection, keys, Change())
 
-    def verdicts(self, key: GradeKey) -> list[Verdict] | None:
-        """What this submission got by these rules.
-
-        None when it was never marked by them, or what it got is damaged, and is to be marked again.
-        """
-        with self._database.reading() as connection:
-            number = grades.newest(connection, key)
-            if number is None:
-                return None
-            return grades.verdicts_of(connection, number)
-
     def save_grade(self, key: GradeKey, verdicts: Sequence[Verdict], reason: str = "") -> None:
         """The grade and that it is the one that counts, in one transaction."""
         with self._database.writing() as connection:
             grades.save(connection, key, verdicts, Change(reason=reason))
 
-    def make_current(self, key: GradeKey) -> None:
-        """An earlier grade counts again; where it already does, nothing is written."""
+    def graded(self, keys: Sequence[GradeKey]) -> dict[GradeKey, list[Verdict]]:
+        """What those submissions got that were marked by these rules, and can be read."""
+        found: dict[GradeKey, list[Verdict]] = {}
         with self._database.reading() as connection:
-            number = grades.newest(connection, key)
-            if number is None or grades.counts(connection, key, number):
-                return
+            numbers = grades.all_newest(connection, keys)
+            verdicts = grades.verdicts_of_all(connection, [*numbers.values()])
+        for key, number in numbers.items():
+            these = verdicts[number]
+            if these is not None:
+                found[key] = these
+        return found
+
+    def make_current(self, keys: Sequence[GradeKey]) -> None:
+        """Earlier grades count again; where they already do, nothing is written."""
+        with self._database.reading() as connection:
+            numbers = grades.all_newest(connection, keys)
+            counting: set[int] = set()
+            for sheet in {key.sheet for key in keys}:
+                counting |= {*grades.counting(connection, sheet).values()}
+        others = {key: number for key, number in numbers.items() if number not in counting}
+        if not others:
+            return
         with self._database.writing() as connection:
-            grades.let_count(connection, key, number, Change())
+            for key, number in others.items():
+                grades.let_count(connection, key, number, Change())
 
     def current(self, sheet: str) -> dict[str, list[Verdict]]:
         """Student to verdicts: what counts now."""

@@ -1,16 +1,16 @@
 """What was handed out of a sheet, as the gradebook has it, and which answers moved since."""
 
-import logging
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
 from ..exercises.exercise import Exercise
 from .config import CourseError
 from .gradebook import Gradebook
-from .variant import Record, fingerprint, moved_parts
+from .record import Record, fingerprint
 
-log = logging.getLogger(__name__)
+Moved = Callable[[Sequence[Record]], Mapping[tuple[str, str], Collection[str]]]
+"""Of some records, by student and exercise, the variables whose answers are others today."""
 
 
 class HandedOut:
@@ -21,6 +21,7 @@ class HandedOut:
         gradebook: Gradebook,
         sheet: str,
         exercises: Sequence[Exercise],
+        moved: Moved,
         *,
         accept_change: bool = False,
         before_accepting: Callable[[str], None] = lambda _: None,
@@ -36,20 +37,21 @@ class HandedOut:
         self._moved: dict[str, set[str]] = {}
         self._accepted: set[str] = set()
         known = {exercise.slug: exercise for exercise in exercises}
+        recorded = [one for one in gradebook.records(sheet) if one.exercise in known]
+        found = moved(recorded)
 
-        for recorded in gradebook.records(sheet):
-            exercise = known.get(recorded.exercise)
-            if exercise is None:
-                continue
-            record = recorded
-            moved = _moved(record, exercise)
-            if moved and accept_change:
+        for record in recorded:
+            parts = found.get((record.student, record.exercise), ())
+            if parts and accept_change:
                 before_accepting(record.student)
-                record = _accepted(record, exercise, gradebook)
+                self._add(_accepted(record, known[record.exercise], gradebook), ())
                 self._accepted.add(record.student)
-                moved = []
-            self._records.setdefault(record.student, {})[record.exercise] = record
-            self._moved.setdefault(record.student, set()).update(moved)
+            else:
+                self._add(record, parts)
+
+    def _add(self, record: Record, moved: Collection[str]) -> None:
+        self._records.setdefault(record.student, {})[record.exercise] = record
+        self._moved.setdefault(record.student, set()).update(moved)
 
     @property
     def nothing(self) -> bool:
@@ -69,21 +71,13 @@ class HandedOut:
         """Variables of the parts whose reference is no longer that of the day of the hand-out."""
         return frozenset(self._moved.get(student, ()))
 
-    def answers_of_others(self, exercise: Exercise, student: str) -> dict[str, dict[str, Any]]:
-        """The recorded answers of everybody else who has the exercise, by student."""
-        others: dict[str, dict[str, Any]] = {}
-        for other, records in self._records.items():
-            if other != student and exercise.slug in records:
-                others[other] = records[exercise.slug].answers
-        return others
-
-
-def _moved(record: Record, exercise: Exercise) -> list[str]:
-    try:
-        return moved_parts(record, exercise)
-    except Exception:  # an exercise edited since may need numbers that were never drawn
-        log.exception("exercise %s fails on the numbers of %s", exercise.slug, record.student)
-        return [part.variable for part in exercise.asked]
+    def answers(self, exercise: str) -> dict[str, dict[str, Any]]:
+        """The recorded answers of everybody who has the exercise, by student."""
+        found: dict[str, dict[str, Any]] = {}
+        for student, records in self._records.items():
+            if exercise in records:
+                found[student] = records[exercise].answers
+        return found
 
 
 def _accepted(record: Record, exercise: Exercise, gradebook: Gradebook) -> Record:

@@ -1,10 +1,11 @@
-"""What a killed run left in a course folder, cleared away by the next that has it to itself."""
+"""What a killed run left, cleared away by the next that has the course folder to itself."""
 
 import os
 from collections.abc import Generator, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
+from ..grader.jail.folders import clear_folders
 from .files import PART
 
 try:
@@ -12,8 +13,10 @@ try:
 except ImportError:  # Windows; there, what is left is only a file too many
     fcntl = None
 
-WRITTEN = ("", "report", "released/*", "solutions/*", "feedback/*")
-"""Where the commands write files; a student's own files lie elsewhere."""
+WRITTEN = (
+    "", "report", "exchange", "released/*", "solutions/*", "feedback/*", "submitted", "submitted/*",
+)  # fmt: skip
+"""Where the commands write files."""
 
 
 @contextmanager
@@ -21,7 +24,9 @@ def cleared(folder: Path) -> Generator[None]:
     """Clears leftovers away, unless another kinegrade is at work in the folder and may need them.
 
     The others know of this one until it ends, even if it is killed: the system keeps the lock.
+    Temporary folders of notebooks that nobody holds any more are cleared away in any case.
     """
+    clear_folders()
     if fcntl is None:
         yield
         return

@@ -1,7 +1,9 @@
 """A marking run: progress while it goes, then grades.csv, feedback, report and the table."""
 
 import sys
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Generator, Mapping, Sequence
+from contextlib import closing, contextmanager
+from dataclasses import dataclass
 from itertools import chain
 from pathlib import Path
 
@@ -14,58 +16,103 @@ from ..grader.jail.packages import not_installed
 from ..solutions.errors import KinegradeError
 from .config import Course, Sheet
 from .console import progress, say
-from .feedback import write_all_feedback
+from .feedback_pages import write_all_feedback
 from .files import write_atomically
 from .gradebook import Gradebook
 from .grades import SheetResults, grades_csv
-from .grading import Result, SheetMarker, recorded_results
+from .grading.place import Place
+from .grading.processes import ThisMachine
+from .marker import SheetMarker
 from .report import write_report
 from .requests import read_requests
-from .sheet.submissions import strangers
+from .results import Result, recorded_results
+from .sheet.handed_in import strangers
 from .sheets import exercises_of, renew_solutions
 from .tables import legend, terminal_table
+from .term.received import FILE as RECEIPTS
 
+STRONG = Permission()
 Marked = list[tuple[Sheet, list[Result]]]
 """Sheets with the results of the roster."""
 
 
+@dataclass(frozen=True)
+class How:
+    """How sheets are marked.
+
+    Attributes:
+        accept_change: Whether moved references become the recorded ones.
+        again: Whether marked files are marked anew.
+        permission: How far down the walls around notebooks may go.
+        cluster: The address of a Dask scheduler that it is marked by; else here.
+    """
+
+    accept_change: bool = False
+    again: bool = False
+    permission: Permission = STRONG
+    cluster: str = ""
+
+
 def mark_sheets(
-    course: Course,
-    gradebook: Gradebook,
-    sheets: Sequence[Sheet],
-    *,
-    accept_change: bool = False,
-    again: bool = False,
-    permission: Permission | None = None,
+    course: Course, gradebook: Gradebook, sheets: Sequence[Sheet], how: How | None = None
 ) -> Marked:
     """Marks sheets with a progress bar and writes all that follows from the marks.
 
     Raises:
-        JailError: there are notebooks to run, and no permitted level works here.
+        JailError: there are notebooks to run, and no permitted level works there.
+        ClusterError: the cluster cannot be used.
     """
-    marked = marked_sheets(
-        course, gradebook, sheets, accept_change=accept_change, again=again, permission=permission
-    )
-    write_results(course, gradebook, _with_recorded(course, gradebook, marked))
+    how = how or How()
+    with this_machine(course, how.permission) as machine:
+        with _marking_place(course, how, machine) as place:
+            marked = _marked_in(place, course, gradebook, sheets, how)
+        write_results(course, gradebook, _with_recorded(course, gradebook, marked), machine)
     return marked
 
 
 def marked_sheets(
-    course: Course,
-    gradebook: Gradebook,
-    sheets: Sequence[Sheet],
-    *,
-    accept_change: bool = False,
-    again: bool = False,
-    permission: Permission | None = None,
+    course: Course, gradebook: Gradebook, sheets: Sequence[Sheet], how: How | None = None
 ) -> Marked:
     """Marks sheets with a progress bar; the marks stand in the gradebook and nowhere else.
 
     Raises:
-        JailError: there are notebooks to run, and no permitted level works here.
+        JailError: there are notebooks to run, and no permitted level works there.
+        ClusterError: the cluster cannot be used.
     """
+    how = how or How()
+    with (
+        this_machine(course, how.permission) as machine,
+        _marking_place(course, how, machine) as place,
+    ):
+        return _marked_in(place, course, gradebook, sheets, how)
+
+
+@contextmanager
+def this_machine(course: Course, permission: Permission | None = None) -> Generator[ThisMachine]:
+    """This machine, with all that is started on it ended at the end."""
+    allowed = course.settings.packages.allow
+    with Jail(permission, allowed) as jail, closing(ThisMachine(jail, allowed)) as machine:
+        yield machine
+
+
+@contextmanager
+def _marking_place(course: Course, how: How, machine: Place) -> Generator[Place]:
+    """Where submissions are marked; pages are written on this machine in any case."""
+    if not how.cluster:
+        yield machine
+        return
+    from .grading.cluster import Cluster
+
+    allowed = course.settings.packages.allow
+    with closing(Cluster(how.cluster, how.permission, allowed)) as cluster:
+        yield cluster
+
+
+def _marked_in(
+    place: Place, course: Course, gradebook: Gradebook, sheets: Sequence[Sheet], how: How
+) -> Marked:
     roster = {student.id for student in course.students}
-    for name in strangers(course.folder, roster):
+    for name in strangers(course.folder, {*roster, RECEIPTS}):
         folder = course.folder / "submitted" / name
         say(f"{folder} belongs to nobody of roster.csv and is not marked.")
 
@@ -73,13 +120,15 @@ def marked_sheets(
         say(f"course.toml allows the package {name}, which is not installed here.")
 
     marked: Marked = []
-    with (
-        Jail(permission, course.settings.packages.allow) as jail,
-        progress("Marking", len(course.students) * len(sheets)) as step,
-    ):
+    with progress("Marking", len(course.students) * len(sheets)) as step:
         for sheet in sheets:
             marker = SheetMarker(
-                course, gradebook, sheet, jail=jail, accept_change=accept_change, again=again
+                course,
+                gradebook,
+                sheet,
+                place=place,
+                accept_change=how.accept_change,
+                again=how.again,
             )
             _renew_solutions(course, gradebook, sheet, marker.accepted)
             marked.append((sheet, marker.results(step)))
@@ -155,10 +204,12 @@ def write_recorded(course: Course, gradebook: Gradebook) -> Path:
     Raises:
         KinegradeError: no sheet can be read.
     """
-    return write_results(course, gradebook, _with_recorded(course, gradebook, []))
+    with this_machine(course) as machine:
+        recorded = _with_recorded(course, gradebook, [])
+        return write_results(course, gradebook, recorded, machine)
 
 
-def write_results(course: Course, gradebook: Gradebook, marked: Marked) -> Path:
+def write_results(course: Course, gradebook: Gradebook, marked: Marked, machine: Place) -> Path:
     """grades.csv, one feedback page per student and sheet, and the report; the report's path."""
     sheets: list[SheetResults] = []
     for sheet, results in marked:
@@ -168,7 +219,7 @@ def write_results(course: Course, gradebook: Gradebook, marked: Marked) -> Path:
     pages = sum(bool(result.verdicts) for sheet in sheets for result in sheet.results)
     with progress("Writing feedback", pages) as step:
         for sheet in sheets:
-            write_all_feedback(course, gradebook, sheet, step)
+            write_all_feedback(course, gradebook, sheet, machine, step)
     asked = [read_requests(course, gradebook, sheet.sheet) for sheet in sheets]
     level = level_line(gradebook.noted_level())
     return write_report(course, sheets, level, list(chain.from_iterable(asked)))

@@ -46,7 +46,7 @@ def write_course(folder: Path, title: str = "The robot Jacobian") -> list[Path]:
     written: list[Path] = []
     if not roster.exists():
         written += _written(roster, ROSTER)
-    written += _ignore_file(folder / ".gitignore")
+    written += ignore_file(folder / ".gitignore")
     secret = write_secret(folder)
     if secret is not None:
         written.append(secret)
@@ -87,7 +87,7 @@ def _written(path: Path, text: str) -> list[Path]:
     return [path]
 
 
-def _ignore_file(path: Path) -> list[Path]:
+def ignore_file(path: Path) -> list[Path]:
     """Writes .gitignore; one that is there is left alone, and what it does not name is told."""
     if not path.exists():
         return _written(path, "\n".join(PRIVATE) + "\n")

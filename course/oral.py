@@ -16,7 +16,7 @@ from .entries import Cell, entry_tables
 from .gradebook import Gradebook
 from .pages import template, with_formulas, write_page
 from .same_numbers import same_numbers
-from .sheet.submissions import find_submission
+from .sheet.handed_in import find_submission
 from .sheets import asked_parts, exercises_of
 
 

@@ -1,5 +1,7 @@
 """Where a student's q stands among the singular postures of the student's own arm."""
 
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -19,25 +21,32 @@ def position(exercise: Exercise, v: dict[str, Any] | None) -> Markup | None:
     """A singularity map with the student's q; None where the exercise has no robot's map."""
     if v is None or exercise.robot is None:
         return None
-    arm = robot(exercise.robot)
-    q = _posture(arm, v)
-    if q is None:
-        return None
-    own = {name: float(v[name]) for name in arm.parameters if name in v}
-    for lengths in (own, {}):  # a length may be drawn for another arm than that at q
-        if _is_drawn(exercise, v, forward(arm.chain(lengths), q)):
+    for arm, lengths, q in _candidates(exercise, robot(exercise.robot), v):
+        if arm.n >= 2 and _is_drawn(exercise, v, forward(arm.chain(lengths), q)):
             from ..grader.figures.own_map import own_map
 
             return Markup(own_map(arm, lengths, q))  # noqa: S704 - its words and numbers are ours
     return None
 
 
-def _posture(arm: Robot, v: dict[str, Any]) -> Array | None:
-    """The drawn q (n,) of an arm with a map; None where there is none."""
+def _candidates(
+    exercise: Exercise, catalogued: Robot, v: dict[str, Any]
+) -> Iterator[tuple[Robot, Mapping[str, float], Array]]:
+    """Robots with lengths and q (n,) that a student may have, those of the catalogue first.
+
+    Their factors have names. A length may be drawn for another arm than that at q, and an exercise
+    may draw a form of the robot.
+    """
     q = np.asarray(v.get("q", ()), dtype=float)
-    if arm.n < 2 or q.shape != (arm.n,):
-        return None
-    return q
+    if q.shape == (catalogued.n,):
+        own = {name: float(v[name]) for name in catalogued.parameters if name in v}
+        yield catalogued, own, q
+        yield catalogued, {}, q
+    if exercise.arm is not None:
+        arm = exercise.arm(v)
+        drawn: Robot = arm.robot
+        if drawn.kinds == catalogued.kinds:
+            yield replace(drawn, task_rows=catalogued.task_rows), arm.lengths, arm.q
 
 
 def _is_drawn(exercise: Exercise, v: dict[str, Any], tool: Array) -> bool:

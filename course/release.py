@@ -1,23 +1,21 @@
 """Files of one student's sheet: those that are not there yet are written, in every format."""
 
-import os
-import signal
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor, as_completed
+from concurrent.futures import as_completed
 from dataclasses import dataclass
 from functools import cache
-from multiprocessing import get_context, parent_process
 from pathlib import Path
-from threading import Thread
 from typing import Any
 
 from ..exercises.exercise import Exercise
 from .adjusting import exercises_on
 from .config import Format, LimitsTable, PackagesTable, Sheet, Student
+from .cores import worker_processes
 from .files import write_atomically
 from .sheet.assignment import Assignment
 from .sheet.matlab import starter
 from .sheet.notebook import handout_notebook, solution_notebook
+from .sheet.python_script import script
 from .typeset.document import Front, handout_data, solution_data
 from .typeset.pdf import pdf
 
@@ -55,6 +53,8 @@ class Order:
         wanted: list[Path] = []
         if self.sheet.matlab:
             wanted.append(self.released("m"))
+        if self.sheet.python:
+            wanted.append(self.released("py"))
         wanted += [self.solution(suffix) for suffix in self.formats]
         wanted += [self.released(suffix) for suffix in reversed(self.formats)]
         return [path for path in wanted if not path.exists()]
@@ -99,6 +99,7 @@ def _makers(
     front = Front(order.course, order.sheet, order.student, order.code)
     return {
         order.released("m"): lambda: starter(*about),
+        order.released("py"): lambda: script(*about, order.limits, order.packages),
         order.released("ipynb"): lambda: handout_notebook(*about, order.limits, order.packages),
         order.solution("ipynb"): lambda: solution_notebook(*about),
         order.released("pdf"): lambda: pdf(handout_data(front, assignments)),
@@ -123,8 +124,7 @@ def write_all(
             yield
         return
 
-    spawn = get_context("spawn")  # typst does not survive a fork
-    with ProcessPoolExecutor(cores(), spawn, _left_to_the_parent) as pool:
+    with worker_processes() as pool:
         try:
             futures = [pool.submit(_write_there, order) for order in orders]
             for future in as_completed(futures):
@@ -132,22 +132,6 @@ def write_all(
                 yield
         finally:
             pool.shutdown(cancel_futures=True)
-
-
-def _left_to_the_parent() -> None:
-    """Ctrl-C ends the parent, which lets its processes finish the sheets at hand.
-
-    A parent that is killed takes them with it: they would wait for it for ever.
-    """
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    Thread(target=_end_with_the_parent, daemon=True).start()
-
-
-def _end_with_the_parent() -> None:
-    parent = parent_process()
-    if parent is not None:
-        parent.join()
-        os._exit(1)
 
 
 def _write_there(order: Order) -> None:
@@ -159,10 +143,3 @@ def _write_there(order: Order) -> None:
 def _loaded(own: Path, sheet: str) -> list[Exercise]:
     """The exercises of a sheet, loaded once in a process that lives no longer than one run."""
     return exercises_on(Sheet.model_validate_json(sheet), own)
-
-
-def cores() -> int:
-    """Those that this process may use, where the system says which."""
-    if hasattr(os, "sched_getaffinity"):
-        return len(os.sched_getaffinity(0))
-    return os.cpu_count() or 1

@@ -10,11 +10,11 @@ from markupsafe import Markup
 from ..grader.marking.verdict import STATUS_WORDS
 from .config import Course
 from .grades import SheetResults, Total, totals
-from .grading import Result
 from .histogram import histogram
 from .ledger.term import Request
 from .mistakes import absent, mistakes, private_notes, to_talk_about, waiting
 from .pages import template, write_page
+from .results import Result
 from .robot_maps import write_maps
 from .statistics import PartNumbers, part_numbers, sheet_shares, spread
 from .tables import MARKS, remark, result_text

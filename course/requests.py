@@ -7,7 +7,7 @@ from .config import Course, Sheet
 from .escape import printable_lines
 from .gradebook import Gradebook
 from .ledger.term import Request
-from .sheet.submissions import REQUEST
+from .sheet.about import REQUEST
 from .sheets import asked_parts, exercises_of
 
 MOST = 20_000  # bytes that are read of a file

@@ -2,8 +2,6 @@
 
 import hashlib
 import logging
-import os
-import sys
 from collections.abc import Iterable
 from dataclasses import fields
 from functools import cache
@@ -13,22 +11,25 @@ from pathlib import Path
 from ..solutions.robot import Robot
 from ..solutions.robots import robot
 from .files import write_atomically
+from .kept import cache_folder
 from .pages import template, write_page
 from .rules import reached
 
 log = logging.getLogger(__name__)
+LOST = "The map of this robot could not be drawn; nothing else depends on it."
 DRAWS = "kinegrade.grader.figures.maps"
 """What the maps are drawn by, with all that it imports."""
 
 
 def write_maps(folder: Path, title: str, robots: Iterable[str]) -> str:
-    """report/robots.html with a map of each robot; its name, empty where there is none."""
+    """report/robots.html with a map, or a sentence, for each robot; its name, empty without any."""
     figures: list[dict[str, str]] = []
     for name in sorted(robots):
         try:
             figures.append(_figure(folder, name))
         except Exception:  # a report does not wait for a picture
             log.exception("the map of %s is left out of the report", name)
+            figures.append({"file": "", "title": name, "alt": LOST})
     if not figures:
         return ""
     html = template("robots.html").render(course=title, figures=figures)
@@ -58,7 +59,7 @@ def map_of(name: str) -> tuple[bytes, str]:
 
 def _kept(arm: Robot, file: str) -> tuple[bytes, str]:
     """A map and its description, from this machine's cache or drawn and put there."""
-    place = cache_folder() / file
+    place = cache_folder() / "maps" / file
     try:
         return place.read_bytes(), place.with_suffix(".txt").read_text(encoding="utf-8")
     except (OSError, UnicodeDecodeError):
@@ -72,15 +73,6 @@ def _kept(arm: Robot, file: str) -> tuple[bytes, str]:
     except OSError:  # a home that cannot be written to: drawn again next time
         return image, text
     return image, text
-
-
-def cache_folder() -> Path:
-    """Where drawn maps are kept for all courses of this machine's user."""
-    usual = "~/.cache"
-    if sys.platform == "darwin":
-        usual = "~/Library/Caches"
-    chosen = os.environ.get("XDG_CACHE_HOME") or os.environ.get("LOCALAPPDATA") or usual
-    return Path(chosen).expanduser() / "kinegrade" / "maps"
 
 
 def _key(arm: Robot) -> str:

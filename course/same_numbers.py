@@ -18,7 +18,7 @@ def same_numbers(parts: Mapping[str, Part], marked: Verdicts) -> dict[str, Peers
     """Student to the others with the same wrong numbers, and what these handed in."""
     handed: dict[str, dict[str, Any]] = {}
     for student, verdicts in marked.items():
-        wrong = [verdict for verdict in verdicts if _tells(parts.get(verdict.part), verdict)]
+        wrong = [verdict for verdict in verdicts if tells(parts.get(verdict.part), verdict)]
         handed[student] = {verdict.part: verdict.answer for verdict in wrong}
     return sharing(parts.values(), handed)
 
@@ -32,7 +32,7 @@ def marked_for_it(verdicts: Iterable[Verdict]) -> bool:
     return False
 
 
-def _tells(part: Part | None, verdict: Verdict) -> bool:
+def tells(part: Part | None, verdict: Verdict) -> bool:
     """Whether an answer has enough wrong numbers to tell that they were not computed twice."""
     if part is None or not isinstance(part.answer, Numbers):
         return False

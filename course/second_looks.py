@@ -12,7 +12,7 @@ from .gradebook import Gradebook
 from .ledger.copying import copy_ledger
 from .ledger.entries import Change
 from .ledger.term import Acceptance
-from .marking import marked_sheets
+from .marking import How, marked_sheets
 from .results import Result, recorded_results, standing
 from .sheets import asked_parts, exercises_of
 from .term.anywhere import anywhere
@@ -100,7 +100,8 @@ def _marked_again(
     permission: Permission,
     before: dict[str, list[Result]],
 ) -> list[Move]:
-    marked = marked_sheets(course, gradebook, sheets, again=True, permission=permission)
+    how = How(again=True, permission=permission)
+    marked = marked_sheets(course, gradebook, sheets, how)
     found: list[Move] = []
     for sheet, results in marked:
         found += moves(before[sheet.name], today(results))

@@ -72,7 +72,8 @@ class Sheet(Adjusted):
         name: That of its files.
         title: On the sheet; else its name.
         mode: What a check may tell a student.
-        matlab: Students get a script to start from beside the notebook.
+        matlab: Students get a MATLAB script to start from beside the notebook.
+        python: Students get a Python script to start from beside the notebook.
         show_solutions: The feedback holds the worked solution, which is for after the deadline.
         exercises: Their names, in the order of the sheet.
         pinned: By exercise, the choices of form that all students shall have alike, so that points
@@ -95,6 +96,7 @@ class Sheet(Adjusted):
     title: Title = ""
     mode: Mode = "graded"
     matlab: bool = False
+    python: bool = False
     show_solutions: bool = False
     exercises: Annotated[tuple[str, ...], Field(min_length=1, max_length=100)]
     pinned: Mapping[str, Mapping[str, Any]] = {}

@@ -13,10 +13,12 @@ from .check import read_handout
 from .config import Course, CourseError, Format, Sheet, Student, hint
 from .console import say
 from .gradebook import Gradebook, OvertakenError
+from .holding import Holding
+from .record import Record, canonical
 from .release import Order, write_all, write_solutions
 from .secret import read_secret
 from .sheet.given import printed
-from .variant import Record, canonical, draw_record
+from .variant import draw_record
 from .variant_code import variant_code
 
 
@@ -95,18 +97,27 @@ def generate(
     for sheet in sheets:
         exercises = exercises_of(course, sheet)
         draws = _Draws(secret, sheet, exercises, gradebook)
-        new = [student for student in course.students if _is_new(course, sheet, student)]
-        for _ in write_all(_orders(course, sheet, draws, step), exercises, expected=len(new)):
-            step()
+        holding = Holding(course, sheet.name, sheet.exercises)
+        new = {student.id for student in course.students if _is_new(course, sheet, student)}
+        orders = _orders(course, sheet, draws, holding, step)
+        try:
+            for _ in write_all(orders, exercises, expected=len(new)):
+                step()
+        finally:
+            holding.save()
         for student in course.students:
             if student.id not in draws.damaged:
                 path = _released(course, sheet, student)
-                done.append(Released(student.id, sheet.name, path, new=student in new))
+                done.append(Released(student.id, sheet.name, path, new=student.id in new))
     return done
 
 
 def _orders(
-    course: Course, sheet: Sheet, draws: "_Draws", step: Callable[[], None]
+    course: Course,
+    sheet: Sheet,
+    draws: "_Draws",
+    holding: Holding,
+    step: Callable[[], None],
 ) -> Iterator[Order]:
     """What is to be written for every student, whose numbers are recorded before that."""
     for student in course.students:
@@ -115,7 +126,7 @@ def _orders(
             say(f"{student.id}, sheet {sheet.name}: {damage}")
             step()
             continue
-        records = _recorded(draws, student, _released(course, sheet, student, "ipynb"))
+        records = _recorded(draws, student, _released(course, sheet, student, "ipynb"), holding)
         yield _order(course, sheet, student, records, draws.all_of(student))
 
 
@@ -162,7 +173,7 @@ def _order(
     )
 
 
-def _recorded(draws: "_Draws", student: Student, path: Path) -> list[Record]:
+def _recorded(draws: "_Draws", student: Student, path: Path, holding: Holding) -> list[Record]:
     """A student's records, drawn and saved where they were not."""
     while True:
         fresh = draws.complete(student)
@@ -175,6 +186,8 @@ def _recorded(draws: "_Draws", student: Student, path: Path) -> list[Record]:
         except OvertakenError:  # what another kinegrade drew in the meantime holds
             draws.read()
         else:
+            for record in fresh:
+                holding.add(record)
             return records
 
 
@@ -196,30 +209,31 @@ class _Draws:
 
     def read(self) -> None:
         """Takes what the gradebook holds by now, and forgets what was drawn and not saved."""
-        self._records: dict[tuple[str, str], Record] = {}
+        self._records: defaultdict[str, dict[str, Record]] = defaultdict(dict)
         self._taken: defaultdict[str, set[str]] = defaultdict(set)  # numbers as `canonical` text
         for record in self.gradebook.records(self._sheet.name):
             self._add(record)
         self.damaged = self.gradebook.damaged(self._sheet.name)
 
     def _add(self, record: Record) -> None:
-        self._records[record.student, record.exercise] = record
+        self._records[record.student][record.exercise] = record
         self._taken[record.exercise].add(canonical(record.numbers))
 
     def of(self, student: Student) -> list[Record]:
         """A student's records in the order of the exercises."""
-        return [self._records[student.id, exercise.slug] for exercise in self.exercises]
+        own = self._records[student.id]
+        return [own[exercise.slug] for exercise in self.exercises]
 
     def all_of(self, student: Student) -> list[Record]:
         """A student's records, also of exercises that are no longer on the sheet."""
-        return [record for (owner, _), record in self._records.items() if owner == student.id]
+        return [*self._records[student.id].values()]
 
     def complete(self, student: Student) -> list[Record]:
         """Draws what was not drawn for the student before, and returns that."""
         fresh: list[Record] = []
         for exercise in self.exercises:
             slug = exercise.slug
-            if (student.id, slug) in self._records:
+            if slug in self._records[student.id]:
                 continue
             pinned = self._sheet.pinned.get(slug)
             record = draw_record(

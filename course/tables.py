@@ -12,8 +12,8 @@ from ..exercises.exercise import Exercise, Manual
 from ..grader.marking.verdict import STATUS_WORDS, Status
 from .console import say
 from .escape import printable
-from .grading import Result
 from .marks import ByHand
+from .results import Result
 from .times import late_text
 
 MARKS: dict[Status, str] = {

@@ -3,7 +3,7 @@
 import hashlib
 from collections.abc import Sequence
 
-from .variant import Record, canonical
+from .record import Record, canonical
 
 ALPHABET = "0123456789ABCDEFGHJKMNPQRSTVWXYZ"
 """Without I, L, O and U, which are misread."""

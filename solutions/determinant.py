@@ -70,11 +70,16 @@ def determinant(robot: Robot) -> Determinant:
             "determinant takes a robot with a square task block, "
             f"got {robot.name} with {len(robot.task_rows)} rows and {robot.n} joints"
         )
+    return factored(robot, _expanded_blocks(robot))
+
+
+def factored(robot: Robot, products: Iterable[Polynomial]) -> Determinant:
+    """The product of polynomials in cosines and sines of a robot's joints, factored."""
     half = HalfAngles(_angles(robot))
     content = sp.S.One
     left: Powers = Counter()
     long: list[NamedFactor] = []
-    for product in _expanded_blocks(robot):
+    for product in products:
         try:
             number, powers = half.factored(product)
         except TooLong:
@@ -212,7 +217,7 @@ def _moving(robot: Robot, factors: Iterable[NamedFactor]) -> tuple[sp.Expr, list
     found: list[NamedFactor] = []
     for name, expression, power in factors:
         if expression.free_symbols & joints:
-            whole = with_whole_squares(sp.sympify(expression.xreplace(back)))
+            whole = with_whole_squares(expression.xreplace(back))
             found.append((name or str(whole), whole, power))
         else:
             content *= expression**power

@@ -102,6 +102,8 @@ class Expression:
         places = list[int]()
         for node in self.nodes:
             step = moved(node, places)
+            if node[0] == "n":
+                step = (*node, len(places))  # by its place, for 0.0 and -0.0 are equal
             places.append(steps.setdefault(step, len(steps)))
         return tuple(map(_step, steps))
 

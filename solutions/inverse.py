@@ -111,7 +111,7 @@ def inverse_kinematics(
     q = one_configuration(chain.n, start, "start")
     low, high = _limits(limits, q)
     q = np.clip(q, low, high)
-    wanted = _pose(target)
+    wanted = pose_of(target)
     length = _length(chain, wanted, q, np.concatenate([low, high]))
     if position_tolerance is None:
         position_tolerance = 1e-9 * length
@@ -175,7 +175,8 @@ def _limits(limits: ArrayLike | None, start: Array) -> tuple[Array, Array]:
     return low, high
 
 
-def _pose(target: ArrayLike) -> Array:
+def pose_of(target: ArrayLike) -> Array:
+    """The pose (4, 4) that is wanted; ChainError says what is wrong with other input."""
     T = reals("target", target)
     if T.shape != (4, 4):
         raise ChainError(f"target takes one transform (4, 4), got shape {T.shape}")

@@ -9,9 +9,9 @@ from numpy.typing import ArrayLike, NDArray
 from .chain import Chain
 from .reach import reach
 from .sections.approach import configurations, in_axis_frame, projected
-from .sections.barriers import barriers
-from .sections.cells import Extent, beside_empty, filled, raster
-from .sections.sides import on_boundary
+from .sections.barriers import barriers, clearance
+from .sections.cells import Extent, filled, raster
+from .sections.sides import distance, on_boundary
 from .singularity import Parameters, RegionalArm, Values, arm, sigma_min, task_block, zero_set
 from .spread import spread
 
@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 __all__ = ["LIMITS", "SINGULAR", "Curve", "Section", "meridian", "reach", "section"]
 SAMPLES = 181  # per joint of a section
 FINER = 6  # bilinear points between two samples; their error is far below a cell
+NARROW = 0.05  # of the clearance of curves, where both sides of one are tried first
 LIMITS = "joint limits"
 SINGULAR = "singular: no velocity across"  # curves of a section that three joints or more span
 
@@ -75,13 +76,14 @@ def section(robot: "Robot", parameters: Parameters = None, *, cells: int = 320) 
     axes, free = _plane(part)
     if len(free) != 2:
         image, extent = filled(part, axes, cells // 4)
-        return Section(axes, image, extent, _barrier_curves(part, axes, free, image, extent))
+        return Section(axes, image, extent, _barrier_curves(part, axes, free))
 
     image, extent = _sampled(part, axes, free, cells)
     curves = list[Curve]()
+    away = distance(part, free, axes)
     for name, q in _singular_curves(robot, parameters, part, free) + _limit_curves(part, free):
         points = projected(in_axis_frame(part.chain, q), axes)
-        boundary = on_boundary(part, free, axes, points)
+        boundary = on_boundary(away, axes, points)
         curves.append(Curve(name, points, q, boundary))
     return Section(axes, image, extent, tuple(curves))
 
@@ -154,14 +156,32 @@ def _singular_curves(
 
 
 def _barrier_curves(
-    part: RegionalArm, axes: tuple[str, str], free: tuple[int, ...], image: Values, extent: Extent
+    part: RegionalArm, axes: tuple[str, str], free: tuple[int, ...]
 ) -> tuple[Curve, ...]:
+    lines = barriers(part, axes, free)
+    images = [projected(in_axis_frame(part.chain, q), axes) for _, q in lines]
+    away, width = distance(part, free, axes), clearance(part, free)
+    exact = [on_boundary(away, axes, points, NARROW * width) for points in images]
+    bounding = [points[found] for points, found in zip(images, exact, strict=True)]
+    walls = np.concatenate([*bounding, np.empty((0, 2))])
+
     curves = list[Curve]()
-    for held, q in barriers(part, axes, free):
-        name = LIMITS if held else SINGULAR
-        points = projected(in_axis_frame(part.chain, q), axes)
-        curves.append(Curve(name, points, q, beside_empty(image, extent, points)))
+    for (held, q), points, found in zip(lines, images, exact, strict=True):
+        # One line may stand for several; where the outermost is not found, it is the boundary.
+        alone = _far_from(walls, points, width)
+        boundary = found
+        if alone.any():
+            boundary = found | (alone & on_boundary(away, axes, points, width))
+        curves.append(Curve(LIMITS if held else SINGULAR, points, q, boundary))
     return tuple(curves)
+
+
+def _far_from(walls: Values, points: Values, width: float) -> NDArray[np.bool_]:
+    """Whether no wall (k, 2) is within a width of points (m, 2) [m]."""
+    if not len(walls):
+        return np.ones(len(points), dtype=np.bool_)
+    gaps = np.linalg.norm(points[:, None] - walls, axis=-1).min(axis=1)
+    return np.asarray(gaps > width, dtype=np.bool_)
 
 
 def _limit_curves(part: RegionalArm, free: tuple[int, ...]) -> list[tuple[str, Values]]:

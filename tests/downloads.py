@@ -17,6 +17,16 @@ Teilnehmer/in9001,"Ada Lovelace",ada@example.org,"Zur Bewertung abgegeben",,"5,0
 Teilnehmer/in9002,"Ben Bot",ben@example.org,"Zur Bewertung abgegeben",,"5,00",Ja,"Dienstag, 24. November 2026, 00:59",-,
 Teilnehmer/in9003,"Cyd, the third",cyd@example.org,"Keine Abgabe",,"5,00",Ja,-,-,
 """
+MOODLE_FRENCH = """Identifiant,"Nom complet","Adresse de courriel",Statut,Note,"Note maximale","La note peut être modifiée","Dernière modification (travail remis)","Dernière modification (note)","Feedback par commentaires"
+"Participant 9001","Ada Lovelace",ada@example.org,"Remis pour évaluation",,"5,00",Oui,"lundi 23 novembre 2026, 23:59",-,
+"Participant 9002","Ben Bot",ben@example.org,"Remis pour évaluation",,"5,00",Oui,"mardi 24 novembre 2026, 00:59",-,
+"Participant 9003","Cyd, the third",cyd@example.org,"Aucun devoir remis",,"5,00",Oui,-,-,
+"""
+MOODLE_SPANISH = """Identificador,"Nombre completo","Dirección de correo",Estado,Calificación,"Calificación máxima","La calificación puede ser cambiada","Última modificación (entrega)","Última modificación (calificación)","Comentarios de retroalimentación"
+"Participante 9001","Ada Lovelace",ada@example.org,"Enviado para calificar",,"5,00",Sí,"lunes, 23 de noviembre de 2026, 23:59",-,
+"Participante 9002","Ben Bot",ben@example.org,"Enviado para calificar",,"5,00",Sí,"martes, 24 de noviembre de 2026, 00:59",-,
+"Participante 9003","Cyd, the third",cyd@example.org,"Sin entrega",,"5,00",Sí,-,-,
+"""
 MOODLE_BLIND = """Identifier,Status,Grade,"Maximum grade","Grade can be changed","Last modified (submission)","Last modified (grade)","Feedback comments"
 "Participant 9001","Submitted for grading",,5.00,Yes,"Monday, 23 November 2026, 11:59 PM",-,
 "Participant 9002","Submitted for grading",,5.00,Yes,"Tuesday, 24 November 2026, 12:59 AM",-,

@@ -9,7 +9,7 @@ from kinegrade.course.adjusting import adjusted, spread
 from kinegrade.course.check import check_file, read_handout
 from kinegrade.course.config import CourseError, Sheet, read_course
 from kinegrade.course.gradebook import Gradebook
-from kinegrade.course.grading import SheetMarker
+from kinegrade.course.marker import SheetMarker
 from kinegrade.course.sheets import exercises_of
 from kinegrade.exercises.exercise import Manual
 from kinegrade.exercises.files.finding import exercise_files, load

@@ -20,7 +20,7 @@ from kinegrade.grader.figures.labels import SIZE, SUB, symbol_of, text_width
 from kinegrade.grader.figures.pose import pose
 from kinegrade.grader.figures.raster import data_uri, png
 from kinegrade.grader.figures.scene import Scene, text_xml
-from kinegrade.grader.figures.view import camera
+from kinegrade.grader.figures.view import camera, looked_at
 from kinegrade.solutions.chain import Chain, elementary, from_frames, from_standard
 from kinegrade.solutions.errors import KinegradeError
 from kinegrade.solutions.kinematics import forward
@@ -234,7 +234,7 @@ def test_the_base_plate_lies_behind_the_arm_on_a_floor_a_ceiling_and_a_wall(stan
     chain = from_standard([[0, 0.5, 1, 0]], "R")
     case = drawing(chain, (0.4,), view=(-80.0, 10.0), stands=stands)
     plate, foot = middle_of(parts(draw(case), "base")[0]), pose(case, 420).paths[0][0][:2]
-    away = np.array(camera(*case.view) @ stands)[:2]
+    away = np.array(looked_at(case) @ stands)[:2]
     assert (plate - foot) @ away < -5
 
 

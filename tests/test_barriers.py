@@ -6,10 +6,9 @@ import numpy as np
 import pytest
 from kinegrade.solutions.robots import ROBOTS, Robot
 from kinegrade.solutions.sections.approach import in_axis_frame, projected
-from kinegrade.solutions.sections.barriers import CELL, STEP, barriers
-from kinegrade.solutions.sections.cells import beside_empty
+from kinegrade.solutions.sections.barriers import CELL, STEP, barriers, clearance
 from kinegrade.solutions.singularity import RegionalArm, Values, arm
-from kinegrade.solutions.workspace import _plane
+from kinegrade.solutions.workspace import _plane, section
 
 NAMES = ("planar_3r", "articulated_6r", "ur5", "panda")
 TURN = (-np.pi, np.pi)
@@ -149,13 +148,36 @@ def test_the_unit_of_length_decides_nothing(scale):
         np.testing.assert_allclose(q, other, atol=1e-6)
 
 
-def test_a_curve_is_a_boundary_where_the_cell_beside_it_is_empty():
-    image = np.zeros((10, 10))
-    image[:, 5:] = np.nan
-    upwards = np.column_stack([np.full(7, 4.9), np.linspace(2, 8, 7)])
-    extent = (0.0, 10.0, 0.0, 10.0)
-    assert beside_empty(image, extent, upwards).all()
-    assert not beside_empty(image, extent, upwards - [2.0, 0.0]).any()
-    assert beside_empty(
-        image, extent, upwards - [4.9, 0.0]
-    ).all()  # beyond the picture nothing is reached
+@names
+def test_no_boundary_is_flagged_that_the_tool_gets_past(name):
+    """Random postures beyond both sides of a flagged point show that it is none; across axis 1 the mirror side is there too."""
+    part, (axes, free) = PARTS[name], AXES[name]
+    off = clearance(part, free)
+    rng = np.random.default_rng(1)
+    reached = seen(part, axes, rng.uniform(*np.transpose(part.limits), (200_000, part.chain.n)))
+    if axes == ("r", "z"):
+        reached = np.concatenate([reached, reached * [-1.0, 1.0]])
+    flagged, passed = 0, 0
+    for curve in section(ROBOTS[name]).curves:
+        along = np.gradient(curve.points, axis=0)
+        along /= np.maximum(np.linalg.norm(along, axis=1, keepdims=True), 1e-300)
+        for i in np.flatnonzero(curve.boundary)[::8]:
+            away = (
+                reached[np.abs(reached - curve.points[i]).max(axis=1) < 2 * off] - curve.points[i]
+            )
+            side = away[np.abs(away @ along[i]) < off / 3] @ [-along[i, 1], along[i, 0]]
+            flagged += 1
+            passed += bool((side > 1.3 * off).any() and (side < -1.3 * off).any())
+    assert flagged > 5
+    assert passed <= 0.02 * flagged
+
+
+@pytest.mark.parametrize("name", ["articulated_6r", "ur5", "panda"])
+def test_nothing_beside_axis_1_is_a_boundary_only_because_the_half_plane_ends_there(name):
+    part, (_, free) = PARTS[name], AXES[name]
+    for curve in section(ROBOTS[name]).curves:
+        beside = curve.points[:, 0] < clearance(part, free) / 2
+        upright = np.abs(np.gradient(curve.points[:, 0])) < 0.3 * np.abs(
+            np.gradient(curve.points[:, 1])
+        )
+        assert not (curve.boundary & beside & upright)[1:-1].any()

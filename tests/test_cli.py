@@ -336,7 +336,7 @@ def test_a_gradebook_of_a_later_version_is_one_sentence(kinegrade, folder):
     with sqlite3.connect(folder / "gradebook.sqlite") as connection:
         connection.execute("UPDATE alembic_version SET version_num = '99'")
     connection.close()
-    assert "the gradebook has format 99; this version reads 2 and older" in complaint(
+    assert "the gradebook has format 99; this version reads 3 and older" in complaint(
         kinegrade("grade", "-c", folder)
     )
 
@@ -409,7 +409,7 @@ def test_check_shows_what_a_terminal_would_obey_as_text(kinegrade, tmp_path):
     ("name", "data", "words"),
     [
         ("gone.ipynb", None, "gone.ipynb cannot be read: No such file"),
-        ("mine.pdf", b"%PDF", "takes one of the endings .ipynb, .json, .csv"),
+        ("mine.pdf", b"%PDF", "takes one of the endings .ipynb, .py, .json"),
         ("mine.json", b"{}", "does not say which sheet it belongs to"),
         ("mine.ipynb", b'{"cells": [', "does not say which sheet it belongs to"),
     ],

@@ -138,7 +138,11 @@ def test_values_come_back_as_a_person_would_mean_them(code, expected):
         ("x = [[['q', 1.5]]]", "text", "[[['q', '1.5']]]"),
         ("x = {}", "error", "a dict"),
         ("x = lambda q: q", "error", "a function"),
-        ("x = None", "error", "None; simplify() of a Matrix changes it in place"),
+        (
+            "x = None",
+            "error",
+            "None; a function without a return gives it, and simplify() of a Matrix",
+        ),
         ("x = [[1, 2], [3]]", "error", "not a matrix"),
         ("x = [True, False]", "error", "not a matrix"),
         ("import numpy as np\nx = np.zeros((100, 100))", "error", "too large"),

@@ -12,7 +12,8 @@ from courses import hand_in, handed_out, make_course, right_answers
 from kinegrade.course.config import read_course
 from kinegrade.course.demo import fill_in
 from kinegrade.course.gradebook import Gradebook
-from kinegrade.course.grading import SheetMarker
+from kinegrade.course.grading.place import Here
+from kinegrade.course.marker import SheetMarker
 from kinegrade.course.new_course import write_course
 from kinegrade.course.proof.validate import validate_file
 from kinegrade.course.sheets import exercises_of, generate
@@ -81,7 +82,7 @@ def test_the_exercise_of_the_docs_is_validated_released_solved_and_marked(tmp_pa
             submitted = tmp_path / "submitted" / released.student / "extra.ipynb"
             submitted.parent.mkdir(parents=True)
             submitted.write_bytes(fill_in(released.path.read_bytes(), code))
-        results = SheetMarker(course, gradebook, sheet, jail=jail).results()
+        results = SheetMarker(course, gradebook, sheet, place=Here(jail)).results()
     assert [result.points for result in results] == [3, 2.5]
 
 

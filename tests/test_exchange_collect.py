@@ -1,14 +1,19 @@
 """Downloads of Moodle and others taken into submitted/: whose they are, when they came in, what is refused."""
 
+import json
+from random import Random
+
 import pytest
-from courses import enrol, files_of, make_course
+from courses import enrol, files_of, handed_out, make_course, right_answers
 from downloads import (
     CANVAS,
     CLASSROOM,
     GRADESCOPE,
     MOODLE,
     MOODLE_BLIND,
+    MOODLE_FRENCH,
     MOODLE_GERMAN,
+    MOODLE_SPANISH,
     linked,
     sheet_of,
     without_metadata,
@@ -16,6 +21,7 @@ from downloads import (
     zip_bytes,
     zip_file,
 )
+from kinegrade.course.config import read_course
 from kinegrade.course.exchange import archive
 from kinegrade.course.exchange.moments import moment, zone_named
 
@@ -47,6 +53,14 @@ def collect(kinegrade, folder, tmp_path):
     return run
 
 
+@pytest.fixture
+def timed(folder):
+    """The same course, whose sheet has a deadline."""
+    path = folder / "course.toml"
+    path.write_text(f"{path.read_text()}deadline = 2026-11-23T23:59:00\n")
+    return folder
+
+
 def submitted(folder):
     return files_of(folder / "submitted")
 
@@ -54,18 +68,24 @@ def submitted(folder):
 @pytest.mark.parametrize(
     "place",
     [
-        f"{ADA}/one.ipynb",
-        f"{ADA}_/one.ipynb",
-        f"{ADA}_one.ipynb",
-        f"Group A-{ADA}/one.ipynb",
-        f"Lab-2-{ADA}/Week 1/one.ipynb",
-        "LOVELACE Ada_9001_assignsubmission_file/one (1).ipynb",
-        f"{ADA}/anything.ipynb",
+        f"{ADA}/one.json",
+        f"{ADA}_/one.json",
+        f"{ADA}_one.json",
+        f"Group A-{ADA}/one.json",
+        f"Lab-2-{ADA}/Week 1/one.json",
+        "LOVELACE Ada_9001_assignsubmission_file/ONE (1).json",
+        "Lovelace, Adà_9001_assignsubmission_file/one-final.json",
     ],
 )
 def test_a_folder_of_moodle_is_that_of_its_student(collect, folder, place):
-    ran = collect({place: sheet_of("ada")})
-    assert (ran.code, ran.out) == (0, f"{folder / 'submitted' / 'ada' / 'one.ipynb'}\n")
+    ran = collect({place: b"{}"})
+    assert (ran.code, ran.out) == (0, f"{folder / 'submitted' / 'ada' / 'one.json'}\n")
+    assert submitted(folder) == {"ada/one.json": b"{}"}
+
+
+@pytest.mark.parametrize("name", ["anything.ipynb", "two.ipynb", "one.txt.ipynb"])
+def test_a_notebook_is_that_of_the_sheet_inside_whatever_it_is_called(collect, folder, name):
+    assert collect({f"{ADA}/{name}": sheet_of("ada")}).code == 0
     assert submitted(folder) == {"ada/one.ipynb": sheet_of("ada")}
 
 
@@ -75,7 +95,15 @@ ben,one,one.json,2026-11-24T00:59:00+01:00
 """
 
 
-@pytest.mark.parametrize("worksheet", [MOODLE, MOODLE_GERMAN], ids=["English", "German"])
+LANGUAGES = {
+    "English": MOODLE,
+    "German": MOODLE_GERMAN,
+    "French": MOODLE_FRENCH,
+    "Spanish": MOODLE_SPANISH,
+}
+
+
+@pytest.mark.parametrize("worksheet", LANGUAGES.values(), ids=LANGUAGES)
 def test_the_worksheet_has_the_times_whatever_its_language(collect, folder, worksheet):
     ran = collect(
         {f"{ADA}/one.ipynb": sheet_of("ada"), f"{BEN}/one.json": b"{}"}, worksheet=worksheet
@@ -150,8 +178,23 @@ def test_two_people_with_the_sheet_of_one_get_neither_taken(collect, folder):
 def test_somebody_whom_the_worksheet_names_is_not_taken_for_another(collect, folder):
     """A stranger to the roster hands in a sheet of the roster."""
     worksheet = MOODLE.replace('"Ada Lovelace",ada,ada@example.org', '"Zoe",zoe,zoe@example.org')
-    ran = collect({f"{ADA}/one.ipynb": sheet_of("ben")}, worksheet=worksheet)
+    files = {"Zoe_9001_assignsubmission_file/one.ipynb": sheet_of("ben")}
+    ran = collect(files, worksheet=worksheet)
+    assert (ran.code, "nobody of roster.csv; it is not taken" in ran.err) == (1, True)
+
+
+def test_the_worksheet_of_another_assignment_is_noticed(collect, folder):
+    """Its numbers are those of other people."""
+    other = MOODLE.replace("9001", "x").replace("9002", "9001").replace("x", "9002")
+    ran = collect({f"{ADA}/one.json": b"{}"}, worksheet=other)
     assert ran.code == 1
+    assert "is that of ben, and its name that of ada; the table may be that of another" in ran.err
+
+
+def test_ids_of_several_people_are_nobodys(collect, folder):
+    ran = collect({f"{ADA}/one.json": b"{}"}, worksheet=MOODLE.replace("ada@", "ben@"))
+    assert ran.code == 1
+    assert "several people: ada is ada, ben@example.org is ben; it is not taken" in ran.err
 
 
 def test_of_two_files_the_newest_counts_and_the_other_is_named(collect, folder):
@@ -210,6 +253,16 @@ def test_a_zip_of_a_student_is_opened_and_data_go_beside_the_notebook(collect, f
     assert "MACOSX" not in ran.err
 
 
+def test_a_request_is_taken_beside_the_answers_whenever_it_comes(collect, timed):
+    files = {f"{ADA}/one.request.txt": b"lever_J: why?", f"{ADA}/one.json": b"{}"}
+    collect(files, worksheet=MOODLE)
+    assert {"ada/one.json", "ada/one.request.txt"} < set(submitted(timed))
+    assert collect({f"{ADA}/one.request (1).txt": b"lever_J: so!"}).out == ""
+    collect({f"{ADA}/One.Request.txt": b"lever_J: so!"})
+    assert submitted(timed)["ada/one.request.txt"] == b"lever_J: so!"
+    assert submitted(timed)["ada/one.json"] == b"{}"
+
+
 @pytest.mark.parametrize(
     ("name", "words"),
     [
@@ -224,6 +277,26 @@ def test_a_path_that_leads_elsewhere_is_refused_with_a_sentence(collect, folder,
     assert ran.code == 1
     assert f"{words}; it is not taken" in ran.err
     assert set(submitted(folder)) == {"ben/one.json"}
+
+
+NAMES = ["x" * 240 + ".py", "con.py", "a\u202eb.py", "ab:c.py", "one.py", "a\nb.py"]
+
+
+@pytest.mark.parametrize("name", NAMES, ids=ascii)
+def test_a_file_beside_that_cannot_be_called_so_everywhere_is_named(collect, folder, name):
+    inner = zip_bytes({"one.ipynb": sheet_of("ada", f"import {name[:-3]}"), name: b"x = 1"})
+    ran = collect({f"{ADA}/all.zip": inner})
+    assert ran.code == 0
+    assert "ada/one.ipynb" in submitted(folder)
+    assert len(submitted(folder)) == 1
+    assert "not taken" in ran.err
+
+
+@pytest.mark.parametrize("name", [".", "//", "./.", ""])
+def test_an_entry_without_a_name_costs_nobody_anything(collect, folder, name):
+    collect({name: b"x", f"{ADA}/one.json": b"{}"}, "--from", "nbgrader")
+    collect({name: b"x", f"{ADA}/one.json": b"{}"})
+    assert set(submitted(folder)) == {"ada/one.json"}
 
 
 def test_a_link_is_refused_in_a_zip_and_in_a_folder(collect, folder, kinegrade, tmp_path):
@@ -271,6 +344,23 @@ def test_a_damaged_zip_of_a_student_is_named(collect, folder, data):
     assert set(submitted(folder)) == {"ben/one.json"}
 
 
+@pytest.mark.parametrize("seed", range(20))
+def test_a_download_with_damage_in_it_is_taken_as_far_as_it_can_be(collect, folder, seed):
+    """Whatever bytes are others: a sentence, and what is taken is what was handed in."""
+    random = Random(seed)  # noqa: S311 - the same damage every time
+    whole = [b"%d" % random.getrandbits(4000) for _ in range(3)]
+    names = (ADA, BEN, "Cyd the third_9003_assignsubmission_file")
+    data = bytearray(
+        zip_bytes({f"{name}/one.json": one for name, one in zip(names, whole, strict=True)})
+    )
+    for place in random.sample(range(len(data)), 4):
+        data[place] ^= 1 << random.randrange(8)
+    ran = collect(bytes(data), "--from", "moodle")
+    assert "our fault" not in ran.err
+    taken = [one for path, one in submitted(folder).items() if path.endswith(".json")]
+    assert set(taken) <= set(whole)
+
+
 def test_a_notebook_of_another_sheet_or_course_is_not_taken(collect, folder):
     ran = collect({f"{ADA}/one.ipynb": sheet_of("ada", sheet="two")})
     assert "it is of sheet 'two', which this course does not have" in ran.err
@@ -289,6 +379,7 @@ def test_a_file_without_a_name_of_ours_takes_the_sheet_that_is_given(collect, fo
         (("--sheet", "two"), "there is no sheet 'two'"),
         (("--from", "modle"), "--from takes one of moodle"),
         (("--zone", "Berlin"), "--zone takes the name of a time zone such as Europe/Berlin"),
+        (("--received", "noon"), "--received takes a time such as 2026-11-23T23:59, got 'noon'"),
     ],
 )
 def test_what_cannot_be_meant_is_one_sentence(collect, more, words):
@@ -317,13 +408,59 @@ def test_canvas_is_recognized_and_its_numbers_are_those_of_its_gradebook(collect
     ran = collect(files, worksheet=CANVAS)
     assert ran.code == 0
     assert set(submitted(folder)) == {"ada/one.ipynb", "ben/one.json", "cyd/one.json"}
-    assert "Canvas calls these late: somebody_LATE_4712_88002_one-1.json" in ran.err
+    assert "Called late there: somebody_LATE_4712_88002_one-1.json" in ran.err
     assert "3 files came without a time; Canvas's download has none" in ran.err
+
+
+def test_a_download_of_canvas_that_was_unpacked_and_packed_again_is_known(collect, folder):
+    files = {f"submissions/{name}": data for name, data in CANVAS_FILES.items()}
+    ran = collect(files, "--from", "canvas")
+    assert (ran.code, set(submitted(folder))) == (0, {"ada/one.json", "ben/one.json"})
+    assert "Called late there: submissions/botben_LATE_4712_88002_one.json" in ran.err
 
 
 def test_canvas_where_markers_are_blind_is_matched_by_the_sheet_inside(collect, folder):
     ran = collect({"anon_Xy12z_88001_one.ipynb": sheet_of("ada"), "anon_Ab12z_8_one.json": b"{}"})
     assert (ran.code, set(submitted(folder))) == (1, {"ada/one.ipynb"})
+
+
+CANVAS_FILES = {
+    "lovelaceada_4711_88001_one.json": b"{}",
+    "botben_LATE_4712_88002_one.json": b"{}",
+}
+
+
+def test_where_a_sheet_has_a_deadline_nothing_is_taken_without_a_time(collect, timed):
+    """The time of the file would be that of the download, so late for everybody."""
+    ran = collect(CANVAS_FILES)
+    assert ran.code == 1
+    assert ran.err.count("came without a time, and sheet one has a deadline; it is not taken.") == 2
+    assert not (timed / "submitted").exists()
+
+
+def test_one_time_can_be_given_for_all_that_are_not_called_late(collect, timed):
+    ran = collect(CANVAS_FILES, "--received", "2026-11-23 23:00")
+    assert ran.code == 1
+    assert "A line ben,one,one.json,TIME in submitted/received.csv says when it came" in ran.err
+    path = timed / "submitted" / "received.csv"
+    assert path.read_text().splitlines()[1:] == ["ada,one,one.json,2026-11-23T23:00:00+01:00"]
+    written(path, path.read_text() + "ben,one,one.json,2026-11-24T01:00+01:00\n")
+    assert collect(CANVAS_FILES, "--received", "2026-11-23 23:00").code == 0
+    assert {"ada/one.json", "ben/one.json"} < set(submitted(timed))
+    assert b"ben,one,one.json,2026-11-24T01:00:00+01:00" in submitted(timed)["received.csv"]
+
+
+def test_what_came_from_moodle_late_is_marked_late(collect, timed, kinegrade):
+    handed_out(timed)
+    path = timed / "course.toml"
+    path.write_text(f"{path.read_text()}late_percent = 10\n")
+    path.write_text(f'timezone = "Europe/Berlin"\n{path.read_text()}')
+    answers = right_answers(read_course(timed), "ben")
+    data = json.dumps({name: value.tolist() for name, value in answers.items()}).encode()
+    collect({f"{BEN}/one.json": data}, worksheet=MOODLE)
+    ran = kinegrade("grade", "-c", timed)
+    assert "4.5 / 5" in ran.out
+    assert "received.csv" not in ran.err
 
 
 def test_of_two_that_were_handed_in_to_canvas_the_newest_counts(collect, folder):
@@ -396,6 +533,17 @@ def test_repositories_of_classroom_belong_to_the_users_of_its_table(kinegrade, f
     assert b"ben,one,one.json,2026-11-23T23:59:59+00:00" in submitted(folder)["received.csv"]
 
 
+def test_repositories_of_classroom_are_found_by_its_roster_too(kinegrade, folder, tmp_path):
+    roster = '"identifier","github_username","github_id","name"\n"ada","lady-ada","7",""\n'
+    (tmp_path / "repos" / "one-lady-ada").mkdir(parents=True)
+    (tmp_path / "repos" / "one-lady-ada" / "one.json").write_bytes(b"{}")
+    table = written(tmp_path / "roster.csv", roster)
+    ran = kinegrade(
+        "collect", tmp_path / "repos", "--from", "classroom", "--worksheet", table, "-c", folder
+    )
+    assert (ran.code, set(submitted(folder))) == (0, {"ada/one.json"})
+
+
 @pytest.mark.parametrize(
     ("text", "iso"),
     [
@@ -406,6 +554,8 @@ def test_repositories_of_classroom_belong_to_the_users_of_its_table(kinegrade, f
         ("lunes, 3 de agosto de 2026, 23:59", "2026-08-03T23:59:00+02:00"),
         ("2026-11-23T23:59:00+05:30", "2026-11-23T23:59:00+05:30"),
         ("2026-11-23 23:59:59 UTC", "2026-11-23T23:59:59+00:00"),
+        ("2026-11-23 23:59 CET", "2026-11-23T23:59:00+01:00"),
+        ("2026-07-23 23:59 CEST", None),
         ("-", None),
         ("Monday, 31 February 2026, 11:59 PM", None),
         ("2026-13-45 10:00 UTC", None),

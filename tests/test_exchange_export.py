@@ -24,11 +24,15 @@ SECRET = "the secret of a course, which nobody gets"  # noqa: S105
 
 @pytest.fixture(scope="module")
 def marked(tmp_path_factory):
-    """A marked course: ada has all points, ben a wrong sign, cyd handed in nothing."""
-    course = handed_out(make_course(tmp_path_factory.mktemp("m") / "course", secret=SECRET))
+    """A marked course: ada has all points, ben a wrong sign, cyd one answer; its secret lies twice."""
+    folder = make_course(tmp_path_factory.mktemp("m") / "course", secret=SECRET)
+    settings = folder / "course.toml"
+    settings.write_text(f'secret = "{SECRET}"\n{settings.read_text()}')
+    course = handed_out(folder)
     hand_in(course, "ada", right_answers(course, "ada"))
     answers = right_answers(course, "ben")
     hand_in(course, "ben", {"lever_J": -answers["lever_J"], "lever_p": answers["lever_p"]})
+    hand_in(course, "cyd", {"lever_p": right_answers(course, "cyd")["lever_p"]})
     with Gradebook(course.folder / "gradebook.sqlite") as gradebook:
         mark_sheets(course, gradebook, course.settings.sheet)
     return course.folder
@@ -39,6 +43,7 @@ def autograder(kinegrade, marked, tmp_path):
     """Gradescope's folder with the unpacked autograder; takes who handed in, and what."""
     ran = kinegrade("export", "gradescope", "one", "-c", marked, "-o", tmp_path / "a.zip")
     assert (ran.code, ran.out) == (0, f"{tmp_path / 'a.zip'}\n")
+    assert (tmp_path / "a.zip").stat().st_mode & 0o077 == 0
     root = tmp_path / "autograder"
     with zipfile.ZipFile(tmp_path / "a.zip") as archive:
         archive.extractall(root / "source")
@@ -72,12 +77,8 @@ def test_the_autograder_gives_the_marks_that_the_course_gives(autograder, marked
     assert [test["score"] for test in results["tests"]] == [2, 1.5]
     assert {test["visibility"] for test in results["tests"]} == {"visible"}
     assert "sign" in results["tests"][1]["output"]
-    assert results["extra_data"] == {
-        "sheet": "one",
-        "student": "ben",
-        "status": "graded",
-        "out_of": 5,
-    }
+    told = {"sheet": "one", "student": "ben", "status": "graded", "out_of": 5, "level": ""}
+    assert told.items() < results["extra_data"].items()
 
 
 def test_the_autograder_holds_no_secret_and_nothing_that_was_handed_in(autograder, marked):
@@ -115,6 +116,7 @@ def test_code_of_a_student_reads_no_answers_in_the_container(autograder, marked)
     (root / "submission" / "one.ipynb").write_bytes(sheet_of("ada", cell))
     assert autograder_run.main(root) == 0
     assert results_of(root)["tests"][0]["score"] == 0
+    assert results_of(root)["extra_data"]["level"] in ("strong", "medium")
 
 
 REFUSALS = {
@@ -149,6 +151,26 @@ def test_without_walls_no_notebook_is_run_there(autograder, capsys, monkeypatch)
     assert not (root / "results").exists()
 
 
+@pytest.mark.parametrize("more", [(), ("--accept-medium",)])
+def test_how_far_the_walls_may_go_down_is_said_by_the_instructor(kinegrade, marked, tmp_path, more):
+    kinegrade("export", "gradescope", "one", "-c", marked, "-o", tmp_path / "a.zip", *more)
+    with zipfile.ZipFile(tmp_path / "a.zip") as archive:
+        about = json.loads(archive.read("course.json"))
+    assert about["accept_medium"] is bool(more)
+
+
+def test_deadlines_are_left_to_gradescope(kinegrade, marked, tmp_path):
+    course = copytree(marked, tmp_path / "course")
+    settings = course / "course.toml"
+    settings.write_text(
+        f"{settings.read_text()}deadline = 2020-01-01T00:00:00\ncloses = 2020-01-02T00:00:00\n"
+    )
+    kinegrade("export", "gradescope", "one", "-c", course, "-o", tmp_path / "a.zip")
+    with zipfile.ZipFile(tmp_path / "a.zip") as archive:
+        (sheet,) = json.loads(archive.read("course.json"))["settings"]["sheet"]
+    assert (sheet["deadline"], sheet["closes"]) == (None, None)
+
+
 def test_a_sheet_that_was_not_drawn_has_no_autograder(kinegrade, tmp_path):
     course = make_course(tmp_path / "other")
     ran = kinegrade("export", "gradescope", "one", "-c", course)
@@ -174,10 +196,11 @@ def test_junit_says_what_passed_failed_and_was_skipped(kinegrade, marked, tmp_pa
     assert ran.code == 0
     suites = junitparser.JUnitXml.fromfile(str(tmp_path / "j.xml"))
     counts = [(suite.name, suite.tests, suite.failures, suite.skipped) for suite in suites]
-    assert counts == [("ada/one", 2, 0, 0), ("ben/one", 2, 1, 0)]
+    assert counts == [("ada/one", 2, 0, 0), ("ben/one", 2, 1, 0), ("cyd/one", 2, 0, 1)]
     scores = [{one.name: one.value for one in suite.properties()} for suite in suites]
-    assert scores == [{"score": "5", "max_score": "5"}, {"score": "3.5", "max_score": "5"}]
-    (failure,) = [result for suite in suites for case in suite for result in case.result]
+    assert [one["score"] for one in scores] == ["5", "3.5", "2"]
+    assert {one["max_score"] for one in scores} == {"5"}
+    (failure, _) = [result for suite in suites for case in suite for result in case.result]
     assert failure.message == "partly correct, 1.5 of 3 points"
     assert "sign" in failure.text
 
@@ -206,8 +229,8 @@ def test_the_workflow_of_classroom_looks_at_a_sheet_without_any_secret(kinegrade
 def test_results_for_classroom_add_up_to_the_points(kinegrade, marked, tmp_path):
     kinegrade("export", "classroom", "one", "-c", marked, "-o", tmp_path / "out")
     files = sorted((tmp_path / "out" / "results").iterdir())
-    assert [path.name for path in files] == ["ada.json", "ben.json"]
-    ada, ben = [json.loads(path.read_text()) for path in files]
+    assert [path.name for path in files] == ["ada.json", "ben.json", "cyd.json"]
+    ada, ben, _ = [json.loads(path.read_text()) for path in files]
     assert [test["score"] for test in ben["tests"]] == [2, 1.5]
     assert (ada["status"], ben["status"], ben["max_score"]) == ("pass", "fail", 5)
     assert ben["tests"][1]["message"].startswith("partly correct, 1.5 of 3.")

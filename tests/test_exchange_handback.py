@@ -7,20 +7,31 @@ import re
 import subprocess
 import sys
 import zipfile
+from dataclasses import replace
 from shutil import copytree
 
 import pytest
 from courses import hand_in, handed_out, make_course, right_answers
-from downloads import CANVAS, MOODLE, MOODLE_BLIND, MOODLE_GERMAN, sheet_of, written, zip_file
+from downloads import (
+    CANVAS,
+    MOODLE,
+    MOODLE_BLIND,
+    MOODLE_FRENCH,
+    MOODLE_GERMAN,
+    MOODLE_SPANISH,
+    sheet_of,
+    written,
+    zip_file,
+)
 from kinegrade.course.exchange import handed_back
 from kinegrade.course.exchange.worksheet import read_worksheet
 from kinegrade.course.gradebook import Gradebook, GradeKey
 from kinegrade.course.marking import mark_sheets
-from kinegrade.grader.marking.verdict import not_graded
+from kinegrade.grader.marking.verdict import Finding, not_graded
 
 ROSTER = """student,name,E-mail
 ada,Ada Lovelace,ada@example.org
-ben,Ben Bot,ben@example.org
+ben,Ben Bot,Ben@Example.org
 cyd,Cyd the third,cyd@example.org
 """
 
@@ -90,11 +101,13 @@ def test_a_worksheet_goes_back_in_its_own_form(tmp_path):
     ]
 
 
-def test_a_german_worksheet_gets_decimal_commas(handback, folder):
-    more = MOODLE_GERMAN.replace("5,00", "7,50")
+@pytest.mark.parametrize("worksheet", [MOODLE_GERMAN, MOODLE_FRENCH, MOODLE_SPANISH])
+def test_a_worksheet_with_decimal_commas_gets_decimal_commas(handback, folder, worksheet):
+    more = worksheet.replace("5,00", "7,50")
     assert handback("moodle", "--scale", worksheet=more).code == 0
     table = rows_of((folder / "exchange" / "one-moodle.csv").read_text())
     assert [row[4] for row in table[1:]] == ["7,5", "5,25", ""]
+    assert table[1][9].startswith("5 of 5 points.")
 
 
 def test_other_points_in_moodle_are_refused_unless_they_are_to_be_converted(handback, folder):
@@ -159,6 +172,23 @@ def test_the_gradebook_of_canvas_gets_one_column_and_names_no_other(handback, fo
         ["Bot, Ben", "4712", "ben", "bb", "ROB-1", "3.5"],
         ["third, Cyd the", "4713", "cyd", "cc", "ROB-2", "4.5"],
     ]
+
+
+def test_who_is_excused_is_so_in_canvas_and_has_no_zero_anywhere(handback, kinegrade, folder):
+    kinegrade("excuse", "ada", "one", "-c", folder)
+    handback("canvas", worksheet=CANVAS)
+    handback("moodle", worksheet=MOODLE)
+    canvas = rows_of((folder / "exchange" / "one-canvas.csv").read_text())
+    moodle = rows_of((folder / "exchange" / "one-moodle.csv").read_text())
+    assert canvas[2][-1] == "EX"
+    assert (moodle[1][5], moodle[1][10][:15]) == ("", "You are excused")
+
+
+def test_what_is_not_published_is_told(handback, kinegrade, folder):
+    said = "Not published, so they may still change: ada, ben. `kinegrade publish one` freezes"
+    assert said in handback("csv").err
+    kinegrade("publish", "one", "-c", folder)
+    assert said not in handback("csv").err
 
 
 @pytest.mark.parametrize(
@@ -288,6 +318,18 @@ def test_who_waits_for_a_mark_is_not_in_the_zip_for_gradescope(handback, folder,
 def test_a_way_that_cannot_be_gone_is_one_sentence(handback, system, words):
     ran = handback(system)
     assert (ran.code, words in ran.err) == (1, True)
+
+
+def test_what_is_for_the_instructor_goes_nowhere(handback, folder):
+    with Gradebook(folder / "gradebook.sqlite") as gradebook:
+        first, second = gradebook.current("one")["ada"]
+        findings = (Finding("For the instructor.", private=True), Finding("For ada."))
+        told = [replace(first, findings=findings), second]
+        gradebook.save_grade(GradeKey("ada", "one", "file", "rules"), told)
+    handback("csv")
+    text = (folder / "exchange" / "one.csv").read_text()
+    assert "For ada." in text
+    assert "For the instructor." not in text
 
 
 def test_a_blind_worksheet_of_nobody_is_refused(handback):

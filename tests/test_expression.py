@@ -378,3 +378,11 @@ def test_reading_runs_nothing_of_python(monkeypatch: pytest.MonkeyPatch):
     results = [read(entry["input"]) for entry in BAD]
     monkeypatch.undo()
     assert sum(result is not None for result in results) == 1
+
+
+def test_what_occurs_twice_is_computed_once_but_for_zeros_of_either_sign():
+    formula = parse("sin(q1) + sin(q1)*sin(q1)", ["q1"])
+    assert len(formula._steps) == 4
+    assert formula.at({"q1": 0.5}) == np.sin(0.5) + np.sin(0.5) * np.sin(0.5)
+    one_over = (("n", 1.0), ("n", 0.0), ("/", 0, 1), ("n", 1.0), ("n", -0.0), ("/", 3, 4))
+    assert np.isnan(Expression((*one_over, ("+", 2, 5))).at({}))

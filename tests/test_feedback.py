@@ -7,14 +7,14 @@ from html import escape, unescape
 
 import numpy as np
 import pytest
-from answers import EXERCISES, part_of, raws, raws_of, telling, variant_of, wrong
+from answers import EXERCISES, SLUGS, part_of, raws, raws_of, telling, variant_of, wrong
 from courses import lever, make_course, sheet
 from kinegrade.course.config import Student, read_course
-from kinegrade.course.feedback import write_feedback
+from kinegrade.course.feedback import LOST, write_feedback
 from kinegrade.course.gradebook import Mark
-from kinegrade.course.grading import Result
 from kinegrade.course.own_sheet import own_questions
 from kinegrade.course.position import position
+from kinegrade.course.results import Result
 from kinegrade.course.sentences import sentence
 from kinegrade.course.term.opinions import Opinions, answer_id
 from kinegrade.course.variant import Record, fingerprint
@@ -185,7 +185,7 @@ def test_the_same_motion_is_drawn_once(course):
     assert 'class="sketch"' in sections(text)["three_axis_z"]
 
 
-@pytest.mark.parametrize("slug", ["three_axis", "inverse_velocities", "pseudoinverse", "statics"])
+@pytest.mark.parametrize("slug", [slug for slug in SLUGS if EXERCISES[slug].robot])
 def test_the_map_shows_the_own_q_on_the_arm_that_is_drawn(course, slug):
     text = feedback(course, EXERCISES[slug], [], v=variant_of(slug))
     assert text.count('class="own-map"') == 1
@@ -200,7 +200,8 @@ def test_there_is_no_map_where_the_exercise_has_no_robot_with_one(course, slug):
 def test_there_is_no_map_of_another_arm_than_the_drawn_one():
     exercise, v = EXERCISES["three_axis"], variant_of("three_axis")
     assert position(exercise, v) is not None
-    assert position(replace(exercise, robot="planar_3r"), v) is None
+    assert position(replace(exercise, robot="planar_3r", arm=None), v) is None
+    assert position(replace(exercise, robot="scara"), v) is None
     assert position(replace(exercise, drawings=lambda _: ()), v) is None
 
 
@@ -221,7 +222,9 @@ def test_an_exercise_that_fails_since_costs_its_pictures_and_no_page(course, cap
     text = path.read_text(encoding="utf-8")
     assert len(sections(text)) == len(exercise.asked)
     assert "<svg" not in text
-    assert "a question is left out of the feedback" in caplog.text
+    assert text.count(LOST) == 2  # once for the map, once for what was compared
+    assert "This figure could not be drawn" in text
+    assert "the figures of three_axis are left out of a sheet" in caplog.text
 
 
 def test_the_solution_is_part_of_it_where_the_sheet_shows_it(course, exercise):

@@ -11,7 +11,7 @@ from courses import exercise_of, hand_in, handed_out, make_course, notebook
 from kinegrade.course.check import check_file
 from kinegrade.course.config import read_course
 from kinegrade.course.gradebook import Gradebook
-from kinegrade.course.grading import SheetMarker
+from kinegrade.course.marker import SheetMarker
 from kinegrade.course.proof.validate import validate_file
 from kinegrade.course.sheet.submissions import Submission
 from kinegrade.exercises.exercise import (

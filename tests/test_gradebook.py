@@ -90,14 +90,14 @@ def test_accepted_answers_count_for_one_record_and_the_old_ones_are_kept(gradebo
 
 def test_verdicts_come_back_as_they_were_saved(gradebook):
     gradebook.save_grade(KEY, VERDICTS)
-    assert gradebook.verdicts(KEY) == VERDICTS
+    assert gradebook.graded([KEY]).get(KEY) == VERDICTS
     assert gradebook.current("one") == {"ada": VERDICTS}
 
 
 def test_what_was_never_marked_has_no_verdicts(gradebook):
     gradebook.save_grade(KEY, VERDICTS)
     for name in ("student", "sheet", "submission", "rules"):
-        assert gradebook.verdicts(replace(KEY, **{name: "other"})) is None
+        assert gradebook.graded([replace(KEY, **{name: "other"})]) == {}
     assert gradebook.current("two") == {}
 
 
@@ -106,10 +106,10 @@ def test_the_grade_saved_last_is_the_current_one_and_the_others_are_kept(gradebo
     gradebook.save_grade(KEY, VERDICTS)
     gradebook.save_grade(later, better)
     assert gradebook.current("one") == {"ada": better}
-    assert gradebook.verdicts(KEY) == VERDICTS
-    gradebook.make_current(KEY)
+    assert gradebook.graded([KEY]).get(KEY) == VERDICTS
+    gradebook.make_current([KEY])
     assert gradebook.current("one") == {"ada": VERDICTS}
-    assert gradebook.verdicts(later) == better
+    assert gradebook.graded([later]).get(later) == better
 
 
 def test_half_a_grade_is_never_kept(gradebook, monkeypatch):
@@ -119,7 +119,7 @@ def test_half_a_grade_is_never_kept(gradebook, monkeypatch):
         gradebook.save_grade(replace(KEY, submission="new bytes"), VERDICTS[:1])
     monkeypatch.undo()
     assert gradebook.current("one") == {"ada": VERDICTS}
-    assert gradebook.verdicts(replace(KEY, submission="new bytes")) is None
+    assert gradebook.graded([replace(KEY, submission="new bytes")]) == {}
 
 
 def test_a_gradebook_is_read_again_by_the_next_run(place):
@@ -215,8 +215,8 @@ def test_all_that_happened_to_a_sheet_is_told_in_its_order(gradebook):
     gradebook.save_grade(KEY, VERDICTS)
     gradebook.save_grade(KEY, VERDICTS)  # the same again is no news
     gradebook.save_grade(later, full)
-    gradebook.make_current(KEY)
-    gradebook.make_current(KEY)
+    gradebook.make_current([KEY])
+    gradebook.make_current([KEY])
     gradebook.save_grade(KEY, full)
     assert told(gradebook) == [
         "lever drawn, attempt 3",
@@ -244,7 +244,7 @@ def test_no_row_is_ever_overwritten_or_taken_out(place):
             gradebook.save_grade(KEY, [replace(VERDICTS[0], points=points)])
             gradebook.save_marks([replace(MARK, points=points)])
         gradebook.save_grade(replace(KEY, submission="new bytes"), VERDICTS)
-        gradebook.make_current(KEY)
+        gradebook.make_current([KEY])
         assert gradebook.marks("one")["ada", "lever_p"].points == 1
         assert gradebook.current("one")["ada"][0].points == 1
     assert "INSERT" in said
@@ -257,7 +257,7 @@ def test_no_row_is_ever_overwritten_or_taken_out(place):
 def test_any_text_of_a_student_can_be_kept(gradebook, text):
     hostile = replace(VERDICTS[0], findings=(Finding(text),), reading=text, answer=text)
     gradebook.save_grade(KEY, [hostile])
-    (back,) = gradebook.verdicts(KEY)
+    (back,) = gradebook.graded([KEY])[KEY]
     assert back.answer == text
     shown = text.replace("\0", "\ufffd").replace("\ud800", "?")
     assert (back.reading, back.findings) == (shown, (Finding(shown),))
@@ -265,3 +265,23 @@ def test_any_text_of_a_student_can_be_kept(gradebook, text):
     assert len(told(gradebook)) == 2  # seen and marked, once
     gradebook.save_marks([replace(MARK, comment=text)])
     assert gradebook.marks("one")["ada", "lever_p"].comment == shown
+
+
+def test_many_submissions_are_looked_up_at_once_and_count_again_together(place):
+    """More than fit one statement, some of them never marked, and one with a newer grade."""
+    keys = [replace(KEY, student=f"s{i}") for i in range(450)]
+    with Gradebook(place) as gradebook:
+        for key in keys[::50]:
+            gradebook.save_grade(key, VERDICTS)
+        later = replace(keys[0], submission="new bytes")
+        gradebook.save_grade(later, VERDICTS[:1])
+        gradebook.see(keys)
+        gradebook.see(keys)
+        assert gradebook.graded(keys) == dict.fromkeys(keys[::50], VERDICTS)
+        assert gradebook.current(KEY.sheet)["s0"] == VERDICTS[:1]
+        before = len(gradebook.history("s50", KEY.sheet))
+        gradebook.make_current(keys)
+        assert gradebook.current(KEY.sheet)["s0"] == VERDICTS
+        assert len(gradebook.history("s50", KEY.sheet)) == before
+        assert len(gradebook.history("s1", KEY.sheet)) == 1
+        assert gradebook.graded([]) == {}

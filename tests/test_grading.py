@@ -5,9 +5,7 @@ import signal
 import sqlite3
 import subprocess
 import sys
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
-from threading import Event
 
 import numpy as np
 import pytest
@@ -22,10 +20,12 @@ from courses import (
     notebook,
     right_answers,
 )
-from kinegrade.course import grading
+from kinegrade.course import incoming
 from kinegrade.course.config import CourseError, read_course
 from kinegrade.course.gradebook import Gradebook
-from kinegrade.course.grading import SheetMarker, recorded_results
+from kinegrade.course.grading import work
+from kinegrade.course.marker import SheetMarker
+from kinegrade.course.results import recorded_results
 from kinegrade.course.tables import remark
 
 KILLED = """
@@ -127,12 +127,12 @@ def test_no_submission_is_no_grade(folder):
 
 def test_a_submission_under_another_name_is_pointed_at(folder):
     (folder / "submitted" / "ben" / "one.json").rename(
-        folder / "submitted" / "ben" / "one (2).ipynb"
+        folder / "submitted" / "ben" / "my answers.ipynb"
     )
     result = graded(folder)["ben"]
     assert (
         result.reason
-        == "no submission; one (2).ipynb is there, but the file takes the name one.ipynb"
+        == "no submission; my answers.ipynb is there, but the file takes the name one.ipynb"
     )
     assert result.points is None
 
@@ -187,7 +187,7 @@ def test_a_submission_that_cannot_be_read_waits_and_everybody_else_is_marked(fol
 
 def test_nothing_is_marked_twice(folder, monkeypatch):
     first = graded(folder)
-    monkeypatch.setattr(grading, "mark", lambda *_: pytest.fail("marked again"))
+    monkeypatch.setattr(work, "mark", lambda *_: pytest.fail("marked again"))
     assert graded(folder) == first
 
 
@@ -197,7 +197,7 @@ def test_a_new_submission_is_marked_anew_and_the_old_one_is_remembered(folder, m
     put(folder, "ada", right | {"lever_J": [0.0, 0.0]})
     assert graded(folder)["ada"].points == recorded(folder)["ada"].points == 2
     put(folder, "ada", right)
-    monkeypatch.setattr(grading, "mark", lambda *_: pytest.fail("marked again"))
+    monkeypatch.setattr(work, "mark", lambda *_: pytest.fail("marked again"))
     assert graded(folder)["ada"].points == recorded(folder)["ada"].points == 5
 
 
@@ -245,14 +245,14 @@ def test_results_are_read_back_without_looking_at_submissions(folder):
 def test_a_failure_of_the_grader_leaves_a_submission_waiting_and_is_made_up_for(
     folder, monkeypatch, caplog
 ):
-    right, real = answers(folder, "ben"), grading.mark
+    right, real = answers(folder, "ben"), work.mark
 
     def failing(exercise, v, raws, others, **more):
         if np.allclose(raws["lever_p"].value, right["lever_p"]):
             raise KeyError("ours")
         return real(exercise, v, raws, others, **more)
 
-    monkeypatch.setattr(grading, "mark", failing)
+    monkeypatch.setattr(work, "mark", failing)
     found = graded(folder)
     assert [result.points for result in found.values()] == [5, None, 5]
     assert statuses(found["ben"]) == ["not_graded"] * 2
@@ -270,7 +270,7 @@ def test_a_failure_while_reading_a_submission_costs_that_submission_only(
 
     put(folder, "ben", b"lever_p\n1,2\n", "one.csv")
     (folder / "submitted" / "ben" / "one.json").unlink()
-    monkeypatch.setitem(grading.find_submission.__globals__["READERS"], ".csv", fail)
+    monkeypatch.setitem(incoming.find_submission.__globals__["READERS"], ".csv", fail)
     found = graded(folder)
     assert [result.points for result in found.values()] == [5, None, 5]
     assert "MemoryError" in said(found["ben"])
@@ -284,9 +284,9 @@ def test_a_failure_in_one_exercise_leaves_the_others_marked(tmp_path, monkeypatc
     )
     course = handed_out(tmp_path)
     hand_in(course, "ada", right_answers(course, "ada"))
-    real = grading.mark
+    real = work.mark
     monkeypatch.setattr(
-        grading,
+        work,
         "mark",
         lambda e, *rest, **more: 1 / 0 if e.slug == "stick" else real(e, *rest, **more),
     )
@@ -316,7 +316,8 @@ def test_parts_whose_reference_moved_wait_until_the_change_is_accepted(folder):
 
 def test_parts_wait_that_moved_though_no_exercise_was_edited(folder, monkeypatch):
     before = graded(folder)
-    monkeypatch.setattr("kinegrade.course.handed_out.moved_parts", lambda *_: ["lever_J"])
+    monkeypatch.setattr("kinegrade.course.holding.version", lambda _: "another")  # of a library
+    monkeypatch.setattr("kinegrade.course.grading.check.moved_parts", lambda *_: ["lever_J"])
     assert statuses(graded(folder)["ada"]) == ["correct", "not_graded"]
     monkeypatch.undo()
     assert graded(folder) == before
@@ -345,9 +346,9 @@ def test_a_change_in_a_module_beside_the_exercise_makes_its_marks_stale(folder, 
         "from arms import share\n    return share * np.array([-y, x])",
     )
     before = graded(folder)
-    real, marked = grading.mark, []
+    real, marked = work.mark, []
     monkeypatch.setattr(
-        grading, "mark", lambda e, *rest, **more: marked.append(e.slug) or real(e, *rest, **more)
+        work, "mark", lambda e, *rest, **more: marked.append(e.slug) or real(e, *rest, **more)
     )
     assert graded(folder) == before
     assert marked == []
@@ -364,9 +365,9 @@ def test_a_change_in_what_marking_imports_makes_marks_stale(folder, monkeypatch)
     )
     edit(folder, "import numpy", "import arms\nimport numpy")
     before = graded(folder)
-    real, marked = grading.mark, []
+    real, marked = work.mark, []
     monkeypatch.setattr(
-        grading, "mark", lambda e, *rest, **more: marked.append(e.slug) or real(e, *rest, **more)
+        work, "mark", lambda e, *rest, **more: marked.append(e.slug) or real(e, *rest, **more)
     )
     read = Path.read_bytes
     for name, times in (("lines.py", 3), ("compare.py", 6), ("maps.py", 6)):
@@ -492,27 +493,15 @@ def test_a_stopped_run_does_not_read_the_rest_of_the_class(folder, monkeypatch):
     handed_out(folder)
     for student, _ in more:
         put(folder, student, {"lever_p": [1, 2]})
-    read, gate, readers = [], Event(), grading.find_submission.__globals__["READERS"]
+    read, readers = [], incoming.find_submission.__globals__["READERS"]
     reader = readers[".json"]
-
-    def gated(*arguments):
-        read.append(1)
-        assert len(read) == 1 or gate.wait(60)
-        return reader(*arguments)
-
-    class Pool(ThreadPoolExecutor):
-        def shutdown(self, wait=True, *, cancel_futures=False):
-            super().shutdown(wait=False, cancel_futures=cancel_futures)
-            gate.set()  # only now may the second reading end, and a third begin
-            super().shutdown(wait=wait)
 
     def stop(*_):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(grading.os, "cpu_count", lambda: 1)
-    monkeypatch.setattr(grading, "ThreadPoolExecutor", Pool)
-    monkeypatch.setitem(readers, ".json", gated)
-    monkeypatch.setattr(SheetMarker, "_mark", stop)
+    monkeypatch.setattr("kinegrade.course.grading.place.cores", lambda: 1)
+    monkeypatch.setitem(readers, ".json", lambda *of: read.append(1) or reader(*of))
+    monkeypatch.setattr(SheetMarker, "_save", stop)
     with pytest.raises(KeyboardInterrupt):
         graded(folder)
     assert len(read) <= 2
@@ -522,7 +511,7 @@ def test_marked_files_are_marked_anew_only_when_asked(folder, monkeypatch):
     put(folder, "ada", answers(folder, "ada"))
     graded(folder)
     seen = []
-    monkeypatch.setattr("kinegrade.course.grading.mark", lambda *_, **__: seen.append(1) or [])
+    monkeypatch.setattr("kinegrade.course.grading.work.mark", lambda *_, **__: seen.append(1) or [])
     graded(folder)
     assert seen == []
     course = read_course(folder)
@@ -538,9 +527,17 @@ def test_a_lost_gradebook_is_not_taken_for_an_empty_one(folder):
 
 
 def test_other_versions_of_a_file_are_named_and_files_of_other_sheets_are_not(folder):
-    for name in ("one (2).ipynb", "One-final.json", "one.csv", "two.json", "notes.txt"):
-        put(folder, "ada", b"{}", name)
+    for name in (
+        "one (2).ipynb",
+        "One-final.json",
+        "one.csv",
+        "two.json",
+        "notes.txt",
+        "oneself.py",
+    ):
+        os.utime(put(folder, "ada", b"{}", name), (1e9, 1e9))
     found = graded(folder)
-    assert found["ada"].passed_over == ("One-final.json", "one (2).ipynb", "one.csv")
+    assert found["ada"].points == 5
+    assert found["ada"].passed_over == ("One-final.json", "one (2).ipynb", "one.csv", "oneself.py")
     assert found["ben"].passed_over == ()
     assert remark(found["ada"]).startswith("also there, and not marked: One-final.json")

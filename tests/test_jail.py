@@ -266,6 +266,17 @@ def test_a_notebook_whose_zygote_is_killed_is_run_again_and_the_next_one_runs(ea
         assert run(jail, "x = 2").value == 2
 
 
+@pytest.mark.parametrize(
+    ("source", "loaded"), [("x = 1", False), ("import sympy\nx = 1", True), ("%pwd\nx = 1", True)]
+)
+def test_what_is_loaded_before_a_notebook_runs_follows_from_what_it_mentions(source, loaded):
+    code = f"{source}\nimport sys\nx = float('matplot' + 'lib' in sys.modules)"
+    skip_without(Level.MEDIUM)
+    with Jail(level=Level.MEDIUM) as jail:
+        for _ in range(2):
+            assert run(jail, code).value == loaded
+
+
 def test_a_notebook_that_is_killed_by_somebody_else_is_run_again():
     killed = run_at(Level.UNSAFE, "import os\nos.kill(os.getpid(), 9)")["x"]
     assert killed.kind == "interrupted"

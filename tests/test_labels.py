@@ -45,7 +45,8 @@ def measured(word: str, style: str) -> tuple[float, float, float]:
 def text_box(placed: Placed) -> tuple[float, float, float, float]:
     """Left, top, right, bottom of the letters of a label as it is written [px]."""
     label = placed.label
-    baseline = float(BASELINE.search(label_svg(placed))[1])
+    (written,) = set(BASELINE.findall(label_svg(placed)))  # of the text and of its halo
+    baseline = float(written)
     width, above, below = (SIZE * share for share in measured(label.symbol, "italic"))
     top, bottom = baseline - above, baseline + below
     if label.subscript:
@@ -119,7 +120,7 @@ def test_no_label_lies_on_a_joint(name):
 @each_robot
 def test_no_label_leaves_the_canvas(name):
     for scene, placed in scenes(name):
-        frame = re.search(r'viewBox="([^"]+)"', scene.svg("", ""))[1]
+        (frame,) = re.findall(r'viewBox="([^"]+)"', scene.svg("", ""))
         x, y, wide, high = map(float, frame.split())
         for left, top, right, bottom in map(text_box, placed):
             assert x <= left < right <= x + wide

@@ -12,11 +12,12 @@ import pytest
 from courses import hand_in, handed_out, make_course, right_answers
 from kinegrade.course.config import CourseError, read_course
 from kinegrade.course.gradebook import Gradebook, GradeKey, Mark
-from kinegrade.course.grading import SheetMarker, recorded_results
 from kinegrade.course.ledger import database
 from kinegrade.course.ledger.address import address, shown, without_password
 from kinegrade.course.ledger.entries import user
 from kinegrade.course.ledger.tables import LEDGER, VERSION
+from kinegrade.course.marker import SheetMarker
+from kinegrade.course.results import recorded_results
 from kinegrade.course.sheets import generate
 from kinegrade.course.variant import Record
 from sqlalchemy import create_engine, inspect, text
@@ -68,7 +69,7 @@ def test_all_of_the_first_format_is_taken_over(first_format):
         earlier = GradeKey(
             "ben", "one", "c6753701cce23439206a3508423c6557", "ba90330a9f7c36bc9bc72f1c00a3e3fc"
         )
-        verdicts = gradebook.verdicts(earlier)
+        verdicts = gradebook.graded([earlier]).get(earlier)
         assert verdicts is not None
         (finding,) = verdicts[1].findings
         assert finding.text.startswith(
@@ -146,7 +147,9 @@ def test_a_damaged_grade_of_the_first_format_costs_its_student_alone(first_forma
 def test_another_format_is_refused(place, setup, found):
     Gradebook(place).close()
     run_sql(place, *setup.split("; "))
-    with pytest.raises(CourseError, match=f"format {found}; this version reads {VERSION} and older"):
+    with pytest.raises(
+        CourseError, match=f"format {found}; this version reads {VERSION} and older"
+    ):
         Gradebook(place)
 
 

@@ -2,12 +2,17 @@
 
 import errno
 import os
+import signal
 import subprocess
 import sys
+import tempfile
+import time
+from pathlib import Path
 
 import pytest
 from courses import make_course
 from kinegrade.course.leftovers import cleared
+from kinegrade.grader.jail.folders import clear_folders, new_folder, remove
 
 OURS = (
     ".grades.csv.x1.part",
@@ -15,12 +20,15 @@ OURS = (
     "released/ada/.one.ipynb.x3.part",
     "solutions/ada/.one.ipynb.x4.part",
     "feedback/ada/.one.html.x5.part",
+    "submitted/ada/.one.ipynb.x6.part",
+    "submitted/.received.csv.x9.part",
+    "exchange/.one-moodle.csv.xa.part",
 )
 OTHERS = (
     "part",
     "a.part",
     ".hidden",
-    "submitted/ada/.one.ipynb.x6.part",
+    "submitted/ada/deep/.one.ipynb.x8.part",
     "exercises/.lever.py.x7.part",
     "released/ada/one.part.ipynb",
 )
@@ -31,6 +39,15 @@ from kinegrade.course.leftovers import cleared
 with cleared(Path(sys.argv[1])):
     print("in", flush=True)
     sys.stdin.read()
+"""
+
+WAITING = """
+import sys
+from kinegrade.grader.jail.level import Level
+from kinegrade.grader.jail.zygote import Zygote
+zygote = Zygote(Level.UNSAFE, (), ())
+print(zygote.process.pid, zygote._surroundings.folder, flush=True)
+sys.stdin.read()
 """
 
 
@@ -93,3 +110,61 @@ def test_where_the_file_system_knows_no_locks_nothing_is_cleared_and_all_goes_on
 
 def no_locks(*_):
     raise OSError(errno.ENOLCK, os.strerror(errno.ENOLCK))
+
+
+@pytest.fixture
+def temporary(tmp_path, monkeypatch):
+    """A temporary folder of the test's own."""
+    place = tmp_path / "tmp"
+    place.mkdir()
+    monkeypatch.setattr(tempfile, "tempdir", str(place))
+    return place
+
+
+def make_old(path):
+    long_ago = time.time() - 3600
+    os.utime(path, (long_ago, long_ago))
+
+
+def test_a_folder_of_notebooks_is_cleared_when_grader_and_zygote_were_killed(tmp_path, temporary):
+    """Not before: while the grader lives, the folder is its."""
+    make_course(tmp_path / "course")
+    with subprocess.Popen(
+        [sys.executable, "-c", WAITING],
+        stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True,
+        env={**os.environ, "TMPDIR": str(temporary)},
+    ) as grader:  # fmt: skip
+        assert grader.stdout is not None
+        zygote, path = grader.stdout.readline().split()
+        make_old(path)
+        with cleared(tmp_path / "course"):
+            assert (Path(path) / "packages").is_dir()
+        grader.send_signal(signal.SIGSTOP)  # it cannot see the zygote go
+        os.kill(int(zygote), signal.SIGKILL)
+        grader.kill()
+    assert Path(path).is_dir()
+    with cleared(tmp_path / "course"):
+        assert list(temporary.iterdir()) == []
+
+
+def test_a_new_folder_a_link_and_other_names_are_left(temporary):
+    new = temporary / "kinegrade-notebooks-new"
+    other = temporary / "kinegrade-sheets"
+    link = temporary / "kinegrade-notebooks-link"
+    for path in (new, other):
+        path.mkdir()
+    link.symlink_to(other)
+    make_old(other)
+    os.utime(link, (0, 0), follow_symlinks=False)
+    clear_folders()
+    assert {path.name for path in temporary.iterdir()} == {new.name, other.name, link.name}
+
+
+def test_a_folder_is_held_until_it_is_removed(temporary):
+    path = new_folder()
+    make_old(path)
+    clear_folders()
+    assert path.is_dir()
+    remove(str(path))
+    assert not path.exists()
+    remove(str(path))

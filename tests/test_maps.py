@@ -82,8 +82,8 @@ def test_a_kind_of_figure_has_its_own_panels_and_says_all_lengths(name):
         assert title.count("=") == len(ROBOTS[name].parameters)
 
 
-@pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("name", ROBOTS)
+@pytest.mark.parametrize("kind", KINDS)
 def test_nothing_is_drawn_beyond_the_paper(name, kind):
     picture = drawn(name, kind)
     renderer = FigureCanvasAgg(picture).get_renderer()

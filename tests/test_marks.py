@@ -209,7 +209,7 @@ def test_a_new_answer_waits_for_a_new_mark(course, kinegrade):
 def test_marked_answers_are_not_marked_again_by_the_grader(course, kinegrade, monkeypatch):
     kinegrade("marks", "set", "ada", "lever_why", "4", "--course", course.folder)
     monkeypatch.setattr(
-        "kinegrade.course.grading.mark", lambda *_, **__: pytest.fail("marked twice")
+        "kinegrade.course.grading.work.mark", lambda *_, **__: pytest.fail("marked twice")
     )
     kinegrade("grade", "--course", course.folder)
     assert points_of(course, kinegrade)["ada"][2] == "4"

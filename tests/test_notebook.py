@@ -15,7 +15,7 @@ from courses import BUNDLED, exercise_of, lever, sheet
 from kinegrade.course.config import Student
 from kinegrade.course.demo import fill_in
 from kinegrade.course.sheet.assignment import Assignment
-from kinegrade.course.sheet.given import given_cell, printed
+from kinegrade.course.sheet.given import given_cell, given_form, printed
 from kinegrade.course.sheet.notebook import notebooks
 from kinegrade.course.sheet.self_check import self_check
 from kinegrade.course.sheet.submissions import Submission
@@ -355,3 +355,20 @@ def test_figures_are_inside_the_notebook_with_alternative_text():
         re.search(r'src="data:image/svg\+xml;base64,[^"]+" alt="[^"]{20,}"', image)
         for image in images
     )
+
+
+@pytest.mark.parametrize(
+    ("slug", "words"),
+    [
+        ("rrt", "`form 11`."),
+        ("cross_products", "`kinds PRR`."),
+        ("last_frame_columns", "`columns 4, 5`."),
+        (
+            "puma_velocities",
+            "`wording orientation held (omega = 0)`, `family near wrist-singular`.",
+        ),
+    ],
+)
+def test_a_sheet_names_its_variant_plainly(slug, words):
+    text = given_form(EXERCISES[slug], variant_of(slug))
+    assert text == f"*Your variant of this exercise, to name when you ask about it: {words}*"

@@ -4,7 +4,8 @@ import os
 
 import pytest
 from kinegrade.course import robot_maps
-from kinegrade.course.robot_maps import cache_folder, write_maps
+from kinegrade.course.kept import cache_folder
+from kinegrade.course.robot_maps import LOST, write_maps
 from kinegrade.solutions.robots import ROBOTS
 from webpage import Page
 
@@ -31,7 +32,7 @@ def test_a_map_is_drawn_once_for_all_courses_of_a_machine(tmp_path, drawn):
     for course in ("one", "one", "two"):
         assert write_maps(tmp_path / course, "Tests", PLANAR) == "robots.html"
     assert drawn == PLANAR
-    assert pngs(tmp_path / "one") == pngs(tmp_path / "two") == pngs(cache_folder())
+    assert pngs(tmp_path / "one") == pngs(tmp_path / "two") == pngs(cache_folder() / "maps")
 
 
 def test_the_page_shows_and_describes_every_robot(tmp_path, drawn):
@@ -107,4 +108,7 @@ def test_a_map_that_fails_costs_neither_the_others_nor_the_report(
     monkeypatch.setattr("kinegrade.grader.figures.maps.picture", picture)
     assert write_maps(tmp_path, "Tests", ["puma560", *PLANAR]) == "robots.html"
     assert [name.partition("-")[0] for name in pngs(tmp_path)] == ["puma560"]
+    page = (tmp_path / "robots.html").read_text(encoding="utf-8")
+    assert page.count("<img") == 1
+    assert page.count(LOST) == 1
     assert "the map of planar_2r is left out" in caplog.text

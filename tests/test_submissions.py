@@ -14,13 +14,8 @@ import pytest
 from answers import EXERCISES, SLUGS, variant_of
 from courses import exercise_of, hand_in, notebook, right_answers
 from kinegrade.course.config import CourseError, read_course
-from kinegrade.course.sheet.submissions import (
-    Submission,
-    find_submission,
-    misnamed,
-    read_submission,
-    strangers,
-)
+from kinegrade.course.sheet.handed_in import find_submission, misnamed, strangers
+from kinegrade.course.sheet.submissions import READERS, Submission, read_submission
 from kinegrade.exercises.exercise import Function, Numbers, Part
 from kinegrade.grader.collecting.ask import Ask, Limits
 from kinegrade.grader.collecting.other_formats import other_format
@@ -61,7 +56,7 @@ for name in ("resource", "fcntl", "pwd", "grp", "termios", "tty", "pty"):
 import kinegrade.course.check
 from kinegrade.course.config import read_course
 from kinegrade.course.gradebook import Gradebook
-from kinegrade.course.grading import SheetMarker
+from kinegrade.course.marker import SheetMarker
 sys.platform = "win32"  # not before: the standard library looks at it, too
 course = read_course(Path(sys.argv[1]))
 with Gradebook(course.folder / "gradebook.sqlite") as gradebook:
@@ -81,7 +76,7 @@ def found(course):
     return submission
 
 
-@pytest.mark.parametrize("suffix", [".ipynb", ".json", ".csv", ".mat"])
+@pytest.mark.parametrize("suffix", READERS)
 @pytest.mark.parametrize("kind", HOSTILE)
 def test_no_content_makes_reading_fail(course, kind, suffix):
     path = hand_in(course, "ada", HOSTILE[kind], f"one{suffix}")
@@ -99,9 +94,11 @@ def test_no_content_makes_reading_fail(course, kind, suffix):
         ("one.json", json.dumps({"lever_p": [0.5, 1]}).encode()),
         ("one.csv", b"lever_p\n0.5,1\n"),
         ("one.mat", mat({"lever_p": [0.5, 1]})),
+        ("one.py", b"lever_p = [0.5, 1]"),
+        ("one.m", b"lever_p = [0.5 1];"),
     ],
 )
-def test_a_notebook_and_files_of_matrices_give_the_same_values(course, name, data):
+def test_every_kind_of_file_gives_the_same_values(course, name, data):
     hand_in(course, "ada", data, name)
     raws = found(course).raws(ASKS, Limits())
     assert raws["lever_p"].kind == "num"
@@ -109,9 +106,9 @@ def test_a_notebook_and_files_of_matrices_give_the_same_values(course, name, dat
     assert raws["lever_J"].kind == "missing"
 
 
-def test_a_notebook_counts_before_a_file_of_matrices(course):
-    for name in ("one.mat", "one.csv", "one.json", "one.ipynb"):
-        hand_in(course, "ada", b"{}", name)
+def test_of_files_of_one_age_a_notebook_counts_before_a_script_and_that_before_values(course):
+    for name in ("one.m", "one.mat", "one.csv", "one.json", "one.py", "one.ipynb"):
+        os.utime(hand_in(course, "ada", b"{}", name), (1e9, 1e9))
         assert found(course).path.name == name
 
 
@@ -185,7 +182,7 @@ OTHERS = {
 }
 
 
-@pytest.mark.parametrize("suffix", [".ipynb", ".json", ".csv", ".mat"])
+@pytest.mark.parametrize("suffix", READERS)
 @pytest.mark.parametrize("name", OTHERS)
 def test_a_file_that_is_something_else_than_its_ending_says_is_named(suffix, name):
     asks = [Ask("lever_p"), Ask("lever_J")]
@@ -216,17 +213,17 @@ def test_a_pipe_is_not_waited_for(course):
 
 
 def test_a_file_too_large_is_not_read(course, monkeypatch):
-    monkeypatch.setattr("kinegrade.course.sheet.submissions.MAX_BYTES", 3 << 20)
+    monkeypatch.setattr("kinegrade.course.sheet.upload.MAX_BYTES", 3 << 20)
     path = hand_in(course, "ada", b" " * (4 << 20))
     with pytest.raises(CourseError, match=r"one.json has 4 MB; a submission may have 3 MB"):
         read_submission(path)
 
 
-@pytest.mark.parametrize("name", ["one.pdf", "one", "one.IPYNB", "one.py"])
+@pytest.mark.parametrize("name", ["one.pdf", "one", "one.txt"])
 def test_an_ending_that_cannot_be_marked_is_named_with_those_that_can(course, name):
     path = hand_in(course, "ada", b"{}", name)
     with pytest.raises(
-        CourseError, match=r"takes one of the endings .ipynb, .json, .csv, .mat, got"
+        CourseError, match=r"takes one of the endings .ipynb, .py, .json, .csv, .mat, .m, got"
     ):
         read_submission(path)
 
@@ -238,7 +235,9 @@ def test_a_file_under_another_name_is_found_for_a_hint(course):
     hand_in(course, "ada", b"{}", "one.csv")
     assert misnamed(course.folder, "ada", sheets) == ""
     hand_in(course, "ada", b"{}", "one (1).ipynb")
-    assert misnamed(course.folder, "ada", sheets) == "one (1).ipynb"
+    assert misnamed(course.folder, "ada", sheets) == ""
+    hand_in(course, "ada", b"{}", "my solution.ipynb")
+    assert misnamed(course.folder, "ada", sheets) == "my solution.ipynb"
 
 
 def test_who_handed_in_without_being_on_the_roster_is_listed(course):
@@ -296,12 +295,13 @@ def asks(suffix, *, published):
 
 
 @pytest.mark.parametrize("published", [True, False])
-def test_a_notebook_is_asked_for_the_hidden_calls_group_after_group(published):
+@pytest.mark.parametrize("suffix", [".ipynb", ".py"])
+def test_what_is_run_is_asked_for_the_hidden_calls_group_after_group(suffix, published):
     hidden = (([0.1, 0.2], "RR"), ([0.3], "R"), ([0.4, 0.5], "PR"))
-    assert asks(".ipynb", published=published) == [Ask("t_J"), Ask("t_f", hidden)]
+    assert asks(suffix, published=published) == [Ask("t_J"), Ask("t_f", hidden)]
 
 
-@pytest.mark.parametrize("suffix", [".json", ".csv", ".mat"])
+@pytest.mark.parametrize("suffix", [".json", ".csv", ".mat", ".m"])
 def test_a_file_is_asked_for_results_of_the_published_calls(suffix):
     assert asks(suffix, published=True) == [Ask("t_J"), Ask("t_f", (([1.0, 2.0], "RP"),))]
     assert (
@@ -319,7 +319,7 @@ def test_the_inputs_of_a_function_are_those_of_the_variant(course):
 @pytest.mark.parametrize("slug", SLUGS)
 def test_every_asked_part_is_asked_for_in_every_kind_of_file(slug):
     exercise, v = EXERCISES[slug], variant_of(slug)
-    for suffix in (".ipynb", ".json", ".csv", ".mat"):
+    for suffix in READERS:
         found = Submission(Path(f"one{suffix}"), b"").asks(exercise, v)
         assert [ask.name for ask in found] == [part.variable for part in exercise.asked]
         assert [bool(ask.calls) for ask in found] == [

@@ -6,7 +6,7 @@ import json
 import pytest
 from courses import lever
 from kinegrade.course.config import Student
-from kinegrade.course.grading import Result
+from kinegrade.course.results import Result
 from kinegrade.course.tables import (
     MARKS,
     legend,

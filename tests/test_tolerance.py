@@ -108,3 +108,21 @@ def test_forces_and_moments_are_measured_each_against_the_largest_of_their_kind(
     answer = Numbers((6,), ["N"] * 3 + ["N m"] * 3)
     wrench = np.array([100.0, -250, 0, 2, 0.5, -8])
     np.testing.assert_array_equal(block_scale(answer, wrench, 0.3), [250] * 3 + [8] * 3)
+
+
+@pytest.mark.parametrize(("off", "solved"), [(0.0, 0), (0.9e-3, 0), (5e-3, 64), (1.0, 0)])
+def test_roundings_are_solved_only_where_the_bounds_leave_it_open(off, solved):
+    calls = []
+
+    def solve(_, given):
+        calls.append(1)
+        return given["t_J"] @ [1.0, 1.0]
+
+    asked = part(Numbers((2,), "m", decimals=3), solve)
+    exercise = SimpleNamespace(slug="t", scale=lambda _: 1.0, parts=())
+    given = {"t_J": 3 * np.eye(2)}
+    allowed = tolerance(exercise, asked, {}, given, solve({}, given))
+    calls.clear()
+    right = allowed.holds(np.full(2, off))
+    assert len(calls) == solved
+    np.testing.assert_array_equal(right, off <= allowed.exact)

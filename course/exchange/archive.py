@@ -3,17 +3,19 @@
 import io
 import re
 import stat
+import zlib
 from collections.abc import Callable, Generator, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from datetime import datetime
+from lzma import LZMAError
 from pathlib import Path, PurePosixPath
 from typing import IO
 from zipfile import BadZipFile, ZipFile, ZipInfo, is_zipfile
 
 from ..errors import CourseError
 from ..escape import printable
-from ..sheet.submissions import MAX_NOTEBOOK
+from ..sheet.upload import MAX_NOTEBOOK
 
 MOST_FILES = 50_000  # of a download
 MOST_INNER_FILES = 500  # of a zip that a student handed in
@@ -22,7 +24,10 @@ DRIVE = re.compile("[A-Za-z]:")
 UNSEEN = (".", "~", "__MACOSX", "Thumbs.db", "desktop.ini")
 """How names begin of what systems leave behind, which nobody handed in."""
 ENCRYPTED = 1
-UNREADABLE = (BadZipFile, NotImplementedError, RuntimeError, EOFError, ValueError, OSError)
+UNREADABLE = (
+    BadZipFile, zlib.error, LZMAError, NotImplementedError, RuntimeError, EOFError, ValueError,
+    OSError,
+)  # fmt: skip
 """What zipfile and zlib raise on damaged archives, and on ways of packing that they do not know."""
 
 
@@ -102,7 +107,7 @@ def _of_zip(archive: ZipFile, place: str, most: int) -> Contents:
     files: list[File] = []
     refused: list[str] = []
     for info in infos:
-        if info.is_dir() or _is_unseen(info.filename):
+        if info.filename.endswith("/") or _is_unseen(info.filename):
             continue
         why = _refusal(info)
         if why:
@@ -119,6 +124,8 @@ def _refusal(info: ZipInfo) -> str:
         return "has an absolute path"
     if ".." in name.split("/"):
         return "leads out of its folder"
+    if not PurePosixPath(name).parts:
+        return "has no name"
     if stat.S_ISLNK(info.external_attr >> 16):
         return "is a link"
     if info.flag_bits & ENCRYPTED:

@@ -21,7 +21,15 @@ from .packing import packed
 from .wheel import wheel
 
 ABOUT = "course.json"
+FOR_ITS_OWNER = 0o600  # as the gradebook is
 PROGRAMS = frozenset({"setup.sh", "run_autograder"})
+TIMELESS = {
+    "deadline": None,
+    "closes": None,
+    "attempts": "last",
+    "most_attempts": None,
+    "resit_of": "",
+}
 SETUP = """#!/bin/sh
 # bubblewrap and libseccomp2 are the walls around the code of a submission.
 set -e
@@ -62,13 +70,18 @@ def write_autograder(
         ABOUT: json.dumps(_about(course, sheet, permission), indent=2).encode(),
         FILE: _records_alone(records),
     }
-    write_atomically(path, packed(contents | _own_exercises(course.folder), PROGRAMS))
+    data = packed(contents | _own_exercises(course.folder), PROGRAMS)
+    write_atomically(path, data, mode=FOR_ITS_OWNER)
     return path
 
 
 def _about(course: Course, sheet: Sheet, permission: Permission) -> dict[str, Any]:
-    """Settings without the secret and the place of the gradebook, and the roster."""
-    settings = course.settings.model_dump(mode="json", exclude={"secret", "gradebook"})
+    """Settings without the secret and the place of the gradebook, and the roster.
+
+    Times are left to Gradescope, which has deadlines and extensions of its own.
+    """
+    timeless = course.settings.model_copy(update={"sheet": (sheet.model_copy(update=TIMELESS),)})
+    settings = timeless.model_dump(mode="json", exclude={"secret", "gradebook"})
     students = [[one.id, one.name, [*map(list, one.more)]] for one in course.students]
     return {
         "settings": settings,

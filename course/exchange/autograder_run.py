@@ -8,20 +8,20 @@ import json
 import sys
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
-from datetime import UTC, datetime
+from importlib.metadata import version
 from pathlib import Path
 from shutil import copy, copytree
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from ...grader.jail.jail import Jail
 from ...grader.jail.level import Permission
 from ...solutions.errors import KinegradeError
 from ..config import Course, Settings, Sheet, Student
 from ..errors import CourseError
 from ..files import write_atomically
 from ..gradebook import FILE, Gradebook
-from ..grading import SheetMarker
+from ..marker import SheetMarker
+from ..marking import this_machine
 from ..results import Result
 from ..sheets import exercises_of
 from .archive import opened_download
@@ -29,7 +29,6 @@ from .autograder import ABOUT
 from .claims import look
 from .gradescope_results import gradescope_results
 from .marked import Marked
-from .moments import moment
 from .people import Owner, People
 from .taking import take
 from .upload import Upload
@@ -64,11 +63,15 @@ def marked_submission(root: Path) -> dict[str, Any]:
             copytree(source / "exercises", folder / "exercises")
         course = Course(folder, Settings.model_validate(about["settings"]), (student,))
         (sheet,) = course.sheets((about["sheet"],))
-        received = moment(str(metadata.get("created_at")), UTC)
-        _hand_in(course, sheet, student, root / "submission", received)
-        result = _result(course, sheet, Permission(accept_medium=about["accept_medium"]))
+        _hand_in(course, sheet, student, root / "submission")
+        with Gradebook(folder / FILE) as gradebook:
+            permission = Permission(accept_medium=about["accept_medium"])
+            result = _result(course, gradebook, sheet, permission)
+            level = gradebook.noted_level()
         marked = Marked(course, sheet, exercises_of(course, sheet), [result])
-        return gradescope_results(marked, result)
+        results = gradescope_results(marked, result)
+        results["extra_data"] |= {"level": level, "kinegrade": version("kinegrade")}
+        return results
 
 
 def _students(listed: Iterable[Any]) -> Iterable[Student]:
@@ -92,13 +95,11 @@ def _submitter(students: list[Student], users: Iterable[Mapping[str, Any]]) -> S
     return found[0]
 
 
-def _hand_in(
-    course: Course, sheet: Sheet, student: Student, submission: Path, received: datetime | None
-) -> None:
+def _hand_in(course: Course, sheet: Sheet, student: Student, submission: Path) -> None:
     """Takes the files as `kinegrade collect` does, into a course folder for this one."""
     owner = Owner(ids=(student.id,))
     with opened_download(submission) as contents:
-        uploads = [Upload(owner, file.path.name, file, received) for file in contents.files]
+        uploads = [Upload(owner, file.path.name, file) for file in contents.files]
         looked = look(course, People(course.students), uploads, sheet.name)
         taken = take(course, looked)
     if not taken.paths:
@@ -106,10 +107,9 @@ def _hand_in(
         raise CourseError(f"no answers to sheet {sheet.name} were found: {why}")
 
 
-def _result(course: Course, sheet: Sheet, permission: Permission) -> Result:
-    packages = course.settings.packages.allow
-    with Gradebook(course.folder / FILE) as gradebook, Jail(permission, packages) as jail:
-        (result,) = SheetMarker(course, gradebook, sheet, jail=jail).results()
+def _result(course: Course, gradebook: Gradebook, sheet: Sheet, permission: Permission) -> Result:
+    with this_machine(course, permission) as machine:
+        (result,) = SheetMarker(course, gradebook, sheet, place=machine).results()
     if all(verdict.points is None for verdict in result.verdicts):
         reasons = {finding.text for one in result.verdicts for finding in one.findings}
         raise CourseError(result.reason or " ".join(sorted(reasons)))

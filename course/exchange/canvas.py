@@ -9,7 +9,7 @@ file's own name, with `-1` at its end where it was handed in again. Where marker
 import re
 from collections.abc import Iterator
 
-from .archive import Contents, File
+from .archive import Contents
 from .people import Owner, Person
 from .upload import Upload
 from .worksheet import Worksheet
@@ -42,9 +42,10 @@ def uploads(contents: Contents) -> Iterator[Upload]:
             yield Upload(owner, blind["file"], file)
 
 
-def named_late(contents: Contents) -> list[File]:
-    """The files that Canvas calls late."""
-    return [file for file in contents.files if "_LATE_" in file.path.name]
+def is_late(upload: Upload) -> bool:
+    """Whether Canvas calls a file late."""
+    start = upload.file.path.name.removesuffix(upload.name)
+    return "_LATE_" in start
 
 
 def persons(worksheet: Worksheet) -> Iterator[Person]:

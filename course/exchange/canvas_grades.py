@@ -17,6 +17,7 @@ from .worksheet import Worksheet
 
 ASSIGNMENT = re.compile(r"(?P<title>.*) \(\d+\)", re.DOTALL)
 POINTS_POSSIBLE = "points possible"
+EXCUSED = "EX"
 
 
 def hand_back(
@@ -62,7 +63,7 @@ def gradebook(
         result = marked.result(member.student.id)
         cells = list(member.row)
         if result is not None:
-            cells[place] = points.text(result.points)
+            cells[place] = EXCUSED if result.excused else points.text(result.points)
         rows.append(tuple(cells))
     kept = [*range(section + 1), place]
     short = worksheet.with_rows([[row[i] for i in kept] for row in rows])

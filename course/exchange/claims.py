@@ -18,9 +18,10 @@ DEPTH = 2  # a zip in a zip, no deeper
 
 @dataclass(frozen=True)
 class Claim:
-    """A file that is a student's answer to a sheet; `beside` are others that it mentions.
+    """A file that is a student's answer to a sheet, or asks to have it looked at again.
 
-    It holds no bytes, as those of a large class together may not fit: they are read again.
+    `beside` are other files, which an answer mentions. It holds no bytes, as those of a large class
+    together may not fit: they are read again.
     """
 
     student: str
@@ -105,7 +106,7 @@ class _Looker:
         Raises:
             RefusedError: it is nobody's, somebody else's, or of another sheet.
         """
-        if upload.suffix not in READERS:
+        if upload.suffix not in READERS and not upload.is_request:
             return None
         says = Inside()
         if upload.suffix == NOTEBOOK:
@@ -129,7 +130,7 @@ class _Looker:
         if not self._given:
             return []
         order = list(READERS)
-        done = {claim.upload.owner for claim in claims}
+        done = {claim.upload.owner for claim in claims if not claim.upload.is_request}
         best: dict[Owner, int] = {}
         answers = [one for one in unnamed if one.suffix in READERS and one.owner not in done]
         for one in answers:

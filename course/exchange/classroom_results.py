@@ -43,6 +43,6 @@ def of_result(marked: Marked, result: Result) -> dict[str, Any]:
     tests: list[Test] = []
     for verdict, line in zip(result.verdicts, marked.lines(result)[1:], strict=True):
         passed = verdict.status in ("correct", "follows")
-        score = verdict.points or 0.0
+        score = round((verdict.points or 0.0) * result.late.share, 2)
         tests.append(Test(verdict.part, passed, score, line.partition(": ")[2]))
     return classroom_results(tests, result.out_of)

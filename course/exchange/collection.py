@@ -1,13 +1,12 @@
 """A download taken into a course: which system it is from, and how that one is read."""
 
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
-from datetime import tzinfo
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from datetime import datetime, tzinfo
 from pathlib import Path
 
 from ..config import Course
 from ..errors import CourseError
-from ..escape import printable
 from . import canvas, classroom, gradescope, moodle, nbgrader
 from .archive import Contents, opened_download
 from .claims import look
@@ -26,12 +25,33 @@ class System:
         uploads: The files of a download with their owners.
         persons: The lines of its table of people.
         without_times: What is said where files came in without a time.
+        is_late: Whether the system calls a file late of which it says no time.
     """
 
     recognizes: Callable[[Contents], bool]
     uploads: Callable[[Contents, People], Iterator[Upload]]
     persons: Callable[[Worksheet, tzinfo | None], Iterator[Person]]
     without_times: str
+    is_late: Callable[[Upload], bool] = lambda _: False
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """What is said of a download.
+
+    Attributes:
+        system: Which system it is from; empty where that is to be found out.
+        worksheet: The table of people that the system exported.
+        sheet: Which sheet files are for that do not say so.
+        zone: Of times that name none; None is the machine's.
+        received: When files came in of which the download says no time.
+    """
+
+    system: str = ""
+    worksheet: Path | None = None
+    sheet: str = ""
+    zone: tzinfo | None = None
+    received: datetime | None = None
 
 
 def _no_table(worksheet: Worksheet, _: tzinfo | None) -> Iterator[Person]:
@@ -49,7 +69,8 @@ SYSTEMS: dict[str, System] = {
         canvas.recognizes,
         lambda contents, _: canvas.uploads(contents),
         lambda worksheet, _: canvas.persons(worksheet),
-        "Canvas's download has none; what is known can be entered in submitted/received.csv",
+        "Canvas's download has none: --received TIME",
+        canvas.is_late,
     ),
     "gradescope": System(
         gradescope.recognizes,
@@ -72,38 +93,48 @@ SYSTEMS: dict[str, System] = {
 }
 
 
-def collect(
-    course: Course,
-    download: Path,
-    system: str = "",
-    worksheet: Path | None = None,
-    sheet: str = "",
-    zone: tzinfo | None = None,
-) -> Taken:
+def collect(course: Course, download: Path, wanted: Wanted | None = None) -> Taken:
     """Takes the newest answers of a download into submitted/, with the times that it has.
 
     Raises:
         CourseError: the download, the worksheet or one of the names cannot be meant.
     """
-    if sheet:
-        course.sheets((sheet,))
+    wanted = wanted or Wanted()
+    if wanted.sheet:
+        course.sheets((wanted.sheet,))
     with opened_download(download) as contents:
-        chosen = _system(download, contents, system)
-        table: list[Person] = []
-        if worksheet is not None:
-            table += chosen.persons(read_worksheet(worksheet), zone)
-        people = People(course.students, table)
-        found = list(chosen.uploads(contents, people))
-        taken = take(course, look(course, people, found, sheet))
+        system = _system(download, contents, wanted.system)
+        people = _people(course, system, wanted)
+        found = [_timed(upload, system, wanted) for upload in system.uploads(contents, people)]
+        taken = take(course, look(course, people, found, wanted.sheet))
         taken.conflicts[:0] = contents.refused
-    late = canvas.named_late(contents)
-    if chosen is SYSTEMS["canvas"] and late:
-        names = ", ".join(printable(file.path.name) for file in late)
-        taken.notes.append(f"Canvas calls these late: {names}")
+    taken.notes += _on_times(system, found)
+    return taken
+
+
+def _people(course: Course, system: System, wanted: Wanted) -> People:
+    """The roster, with what the system's table says of numbers."""
+    if wanted.worksheet is None:
+        return People(course.students)
+    table = system.persons(read_worksheet(wanted.worksheet), wanted.zone)
+    return People(course.students, table)
+
+
+def _on_times(system: System, found: Sequence[Upload]) -> Iterator[str]:
+    """What is said of files that came late, or without a time."""
+    late = [upload.place for upload in found if system.is_late(upload)]
+    if late:
+        yield f"Called late there: {', '.join(late)}"
     timeless = [upload for upload in found if upload.received is None]
     if timeless:
-        taken.notes.append(f"{len(timeless)} files came without a time; {chosen.without_times}")
-    return taken
+        yield f"{len(timeless)} files came without a time; {system.without_times}"
+
+
+def _timed(upload: Upload, system: System, wanted: Wanted) -> Upload:
+    """With the time that was said for all, where the download has none and does not say late."""
+    if upload.received is not None or system.is_late(upload):
+        return upload
+    return replace(upload, received=wanted.received)
 
 
 def _system(download: Path, contents: Contents, name: str) -> System:

@@ -16,7 +16,6 @@ def gradescope_results(marked: Marked, result: Result) -> dict[str, Any]:
     test hides the total. A part that waits for its mark has no score, and the text says so.
     """
     lines = marked.lines(result)
-    known = [verdict.points for verdict in result.verdicts if verdict.points is not None]
     waiting = [verdict.part for verdict in result.verdicts if verdict.points is None]
     output = lines[0]
     if waiting:
@@ -25,7 +24,7 @@ def gradescope_results(marked: Marked, result: Result) -> dict[str, Any]:
     for number, (verdict, line) in enumerate(zip(result.verdicts, lines[1:], strict=True), 1):
         tests.append(_test(number, verdict, line))
     return {
-        "score": round(sum(known), 2),
+        "score": result.so_far,
         "output": output,
         "output_format": "text",
         "test_output_format": "text",

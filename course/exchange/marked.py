@@ -14,6 +14,9 @@ from ..grades import SheetResults
 from ..results import Result, recorded_results
 from ..sentences import sentence
 from ..sheets import asked_parts, exercises_of
+from ..times import late_text
+
+NOTHING = "nothing marked yet"
 
 
 @dataclass(frozen=True)
@@ -73,13 +76,31 @@ def read_marked(course: Course, gradebook: Gradebook, sheet: Sheet) -> Marked:
             f"Not graded yet, so without points: {', '.join(waiting)}. "
             "`kinegrade marks list` shows what waits."
         )
+    for result in results:
+        if not result.verdicts and result.reason not in ("", NOTHING):
+            say(f"{result.student.id}: {result.reason}; the cell is left as it is.")
+    _say_unpublished(sheet, results)
     return Marked(course, sheet, exercises_of(course, sheet), results)
 
 
+def _say_unpublished(sheet: Sheet, results: Sequence[Result]) -> None:
+    """What goes to students may still change until it is published."""
+    open_ = [result.student.id for result in results if result.verdicts and not result.published]
+    if open_:
+        say(
+            f"Not published, so they may still change: {', '.join(open_)}. "
+            f"`kinegrade publish {sheet.name}` freezes marks."
+        )
+
+
 def _total(result: Result) -> str:
+    if result.excused:
+        return "You are excused from this sheet: it does not count for you."
     if result.points is None:
-        return f"Not graded yet, of {result.out_of:g} points."
-    return f"{result.points:g} of {result.out_of:g} points."
+        total = f"Not graded yet, of {result.out_of:g} points."
+    else:
+        total = f"{result.points:g} of {result.out_of:g} points."
+    return " ".join(filter(None, [total, late_text(result.late)]))
 
 
 def _earned(verdict: Verdict) -> str:

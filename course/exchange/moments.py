@@ -28,9 +28,9 @@ WRITTEN = re.compile(
 """Such as Monday, 23 November 2026, 11:59 PM or Montag, 23. November 2026, 23:59."""
 PLAIN = re.compile(
     r"(\d{4}-\d{2}-\d{2})[ T](\d{2}:\d{2}(?::\d{2})?)(?:\.\d+)?\s*"
-    r"(Z|UTC|[+-]\d{2}:?\d{2}|[A-Z][A-Za-z_]+/[A-Za-z_/+-]+)?"
+    r"(Z|UTC|[+-]\d{2}:?\d{2}|[A-Z][A-Za-z_]+(?:/[A-Za-z_/+-]+)?)?"
 )
-"""Such as 2026-11-23 23:59:00.123 UTC."""
+"""Such as 2026-11-23 23:59:00.123 UTC; a zone of a name that nobody knows makes it no time."""
 
 
 def zone_named(name: str) -> tzinfo | None:
@@ -47,6 +47,20 @@ def zone_named(name: str) -> tzinfo | None:
         raise CourseError(
             f"--zone takes the name of a time zone such as Europe/Berlin, got {name!r}"
         ) from error
+
+
+def time_given(text: str, zone: tzinfo | None) -> datetime | None:
+    """The time of --received; None where none is given.
+
+    Raises:
+        CourseError: it is no time.
+    """
+    if not text:
+        return None
+    found = moment(text, zone)
+    if found is None:
+        raise CourseError(f"--received takes a time such as 2026-11-23T23:59, got {text!r}")
+    return found
 
 
 def moment(text: str, zone: tzinfo | None) -> datetime | None:

@@ -79,6 +79,7 @@ class People:
             names.insert(0, person.owner.name)
         by_id = self._by_ids(ids)
         if by_id is not None:
+            self._refuse_another_name(by_id, owner.name)
             return by_id
         for name in names:
             found = self._by_name(name)
@@ -113,6 +114,15 @@ class People:
             said = ", ".join(f"{text} is {student}" for student, text in found.items())
             raise UnknownPersonError(f"its ids are those of several people: {said}")
         return next(iter(students.values()), None)
+
+    def _refuse_another_name(self, student: Student, name: str) -> None:
+        """Numbers of one assignment mean other people in the table of another."""
+        named = self._by_name(name)
+        if named and student not in named:
+            raise UnknownPersonError(
+                f"its number or id is that of {student.id}, and its name that of {named[0].id}; "
+                "the table may be that of another assignment"
+            )
 
     def _by_name(self, name: str) -> list[Student]:
         """Everybody of that name; a group may stand in front of it, with a hyphen."""

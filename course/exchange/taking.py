@@ -4,17 +4,20 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from datetime import UTC, datetime
 from pathlib import Path, PurePath
+from zoneinfo import ZoneInfo
 
 from ..config import Course
 from ..escape import printable
 from ..files import write_atomically
 from ..roster import DEVICE
+from ..sheet.about import REQUEST
 from ..sheet.submissions import MAX_BESIDE, READERS
 from ..term.received import Receipt, read_receipts, write_receipts
 from .archive import RefusedError
 from .claims import Claim, Looked
 from .upload import Upload
 
+LONGEST = 200  # bytes of a name, to which others are added while a file is written
 REPLACED = ".replaced"
 """The folder of a student with files that newer ones replaced."""
 
@@ -39,7 +42,7 @@ class Taken:
 def take(course: Course, looked: Looked) -> Taken:
     """Writes what was claimed, and submitted/received.csv with the times."""
     taker = _Taker(course)
-    for (student, sheet), claims in sorted(_by_answer(looked.claims).items()):
+    for (student, sheet, _), claims in sorted(_by_answer(looked.claims).items()):
         if len({claim.upload.owner for claim in claims}) > 1:
             places = " and ".join(claim.upload.place for claim in claims)
             taker.taken.conflicts.append(
@@ -59,10 +62,12 @@ def take(course: Course, looked: Looked) -> Taken:
     return taker.taken
 
 
-def _by_answer(claims: Iterable[Claim]) -> Mapping[tuple[str, str], list[Claim]]:
-    found: dict[tuple[str, str], list[Claim]] = {}
+def _by_answer(claims: Iterable[Claim]) -> Mapping[tuple[str, str, bool], list[Claim]]:
+    """Claims by student, sheet, and whether they are requests."""
+    found: dict[tuple[str, str, bool], list[Claim]] = {}
     for claim in claims:
-        found.setdefault((claim.student, claim.sheet), []).append(claim)
+        key = (claim.student, claim.sheet, claim.upload.is_request)
+        found.setdefault(key, []).append(claim)
     return found
 
 
@@ -83,7 +88,8 @@ def _age(claim: Claim) -> tuple[datetime, datetime, int, str]:
     upload = claim.upload
     received = upload.received or datetime.min.replace(tzinfo=UTC)
     modified = upload.file.modified or datetime.min  # noqa: DTZ901 - only compared with its like
-    return received, modified, -list(READERS).index(upload.suffix), upload.place
+    order = [*READERS, *{upload.suffix} - set(READERS)]
+    return received, modified, -order.index(upload.suffix), upload.place
 
 
 class _Taker:
@@ -93,52 +99,96 @@ class _Taker:
         self._course = course
         self.taken = Taken()
         self.receipts: dict[tuple[str, str], Receipt] = {}
-        for one in read_receipts(course.folder):
+        for one in read_receipts(course.folder, ZoneInfo(course.settings.timezone)):
             self.receipts[one.student, one.file] = one
 
     def take(self, claim: Claim) -> None:
         """The file in submitted/<student>/, with those beside it; what was there is set aside.
 
         Raises:
-            RefusedError: it cannot be read, or its time is not known and that of the file there is.
+            RefusedError: it cannot be read, or its time is not known and matters.
         """
         folder = self._course.folder / "submitted" / claim.student
-        path = folder / f"{claim.sheet}{claim.upload.suffix}"
         data = claim.upload.file.read()
-        same = _holds(path, data)
-        if not self._is_newer(claim, same=same):
+        if claim.upload.is_request:
+            self._take_request(claim, folder / f"{claim.sheet}{REQUEST}", data)
             return
-        if same:
-            self.taken.unchanged += 1
-        else:
-            for suffix in READERS:
-                self._set_aside(claim.student, folder / f"{claim.sheet}{suffix}")
-            write_atomically(path, data)
-            self.taken.paths.append(path)
-        if claim.upload.received is not None:
-            receipt = Receipt(claim.student, claim.sheet, path.name, claim.upload.received)
-            self.receipts[claim.student, path.name] = receipt
+        path = folder / f"{claim.sheet}{claim.upload.suffix}"
+        if _holds(path, data):
+            if self._is_newer(claim, claim.upload.received):
+                self.taken.unchanged += 1
+                self._note(claim, path, claim.upload.received)
+                self._take_beside(folder, claim)
+            return
+        received = claim.upload.received or self._entered(claim, path)
+        if received is None:
+            self._refuse_without_time(claim, path)
+        if not self._is_newer(claim, received):
+            return
+        for suffix in READERS:
+            self._set_aside(claim.student, folder / f"{claim.sheet}{suffix}")
+        write_atomically(path, data)
+        self.taken.paths.append(path)
+        self._note(claim, path, received)
         self._take_beside(folder, claim)
 
-    def _is_newer(self, claim: Claim, *, same: bool) -> bool:
-        """Whether a file goes before what is there; an older one is named."""
-        upload = claim.upload
+    def _take_request(self, claim: Claim, path: Path, data: bytes) -> None:
+        """What a student asks has no deadline, and stands beside the answers."""
+        if _holds(path, data):
+            self.taken.unchanged += 1
+            return
+        self._set_aside(claim.student, path)
+        write_atomically(path, data)
+        self.taken.paths.append(path)
+
+    def _note(self, claim: Claim, path: Path, received: datetime | None) -> None:
+        if received is not None:
+            receipt = Receipt(claim.student, claim.sheet, path.name, received)
+            self.receipts[claim.student, path.name] = receipt
+
+    def _entered(self, claim: Claim, path: Path) -> datetime | None:
+        """The time that somebody wrote into received.csv for a file that is not there yet."""
+        receipt = self.receipts.get((claim.student, path.name))
+        if receipt is None or path.exists():
+            return None
+        return receipt.received
+
+    def _refuse_without_time(self, claim: Claim, path: Path) -> None:
+        """A file is not taken without a time where that would make it early or late."""
+        place = f"{claim.upload.place}: it came without a time"
+        there = self._times(claim)
+        if there:
+            raise RefusedError(
+                f"{place}, and what {claim.student} has in submitted/ has one "
+                f"({max(there).isoformat()}); it is not taken"
+            )
+        (sheet,) = self._course.sheets((claim.sheet,))
+        if sheet.deadline is not None or sheet.closes is not None:
+            raise RefusedError(
+                f"{place}, and sheet {claim.sheet} has a deadline; it is not taken. "
+                f"A line {claim.student},{claim.sheet},{path.name},TIME in "
+                "submitted/received.csv says when it came"
+            )
+
+    def _times(self, claim: Claim) -> list[datetime]:
+        """When the files of this sheet came in that the student has in submitted/."""
         times: list[datetime] = []
         for suffix in READERS:
             receipt = self.receipts.get((claim.student, f"{claim.sheet}{suffix}"))
             if receipt is not None:
                 times.append(receipt.received)
-        if not times or (upload.received is None and same):
+        return times
+
+    def _is_newer(self, claim: Claim, received: datetime | None) -> bool:
+        """Whether a file goes before what is there; an older one is named."""
+        there = self._times(claim)
+        if received is None or not there or received >= max(there):
             return True
-        there = f"what {claim.student} has in submitted/ ({max(times).isoformat()})"
-        if upload.received is None:
-            raise RefusedError(
-                f"{upload.place}: it came without a time, and {there} has one; it is not taken"
-            )
-        if upload.received < max(times):
-            self.taken.notes.append(f"{upload.place}: older than {there}; not taken")
-            return False
-        return True
+        self.taken.notes.append(
+            f"{claim.upload.place}: older than what {claim.student} has in submitted/ "
+            f"({max(there).isoformat()}); not taken"
+        )
+        return False
 
     def _set_aside(self, student: str, path: Path) -> None:
         """Moves a file that would be marked in place of the new one; nothing is lost."""
@@ -177,6 +227,7 @@ class _Taker:
         """Whether a name is not that of a sheet's answer, and possible on every system."""
         sheets = {sheet.name.casefold() for sheet in self._course.settings.sheet}
         plain = other.name == printable(other.name) and not set(other.name) & set('/\\:*?"<>|')
+        plain = plain and len(other.name.encode()) <= LONGEST
         stem = PurePath(other.name).stem.casefold()
         return plain and not DEVICE.fullmatch(other.name) and stem not in sheets
 

@@ -5,6 +5,7 @@ from datetime import datetime
 from pathlib import PurePath
 
 from ..escape import printable
+from ..sheet.about import REQUEST
 from .archive import File
 from .people import Owner
 
@@ -31,6 +32,11 @@ class Upload:
     def suffix(self) -> str:
         """The ending of its name, in small letters."""
         return PurePath(self.name).suffix.lower()
+
+    @property
+    def is_request(self) -> bool:
+        """Whether it asks to have something looked at again."""
+        return self.name.casefold().endswith(REQUEST)
 
     @property
     def place(self) -> str:

@@ -1,18 +1,29 @@
 """Grades: what a submission got by some rules, and which grade counts."""
 
 import json
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeVar
 
-from sqlalchemy import ColumnElement, Connection, RowMapping, Select, Table, func, select
+from sqlalchemy import (
+    ColumnElement,
+    Connection,
+    RowMapping,
+    Select,
+    Table,
+    func,
+    select,
+    tuple_,
+)
 
 from ...grader.marking.verdict import STATUS_WORDS, Finding, Verdict
 from .damage import DamagedError, as_number, loaded, plain
 from .entries import Change, enter
 from .tables import counted, finding, grade, submission, verdict
 
+T = TypeVar("T")
 Rows = list[dict[str, Any]]
+AT_ONCE = 200  # keys or grades that are asked for in one statement
 ORDER = {verdict: ["grade", "place"], finding: ["grade", "place", "number"]}
 
 
@@ -35,14 +46,46 @@ class Attempt:
     counts: bool
 
 
-def see(connection: Connection, keys: Iterable[GradeKey], change: Change) -> None:
+def see(connection: Connection, keys: Sequence[GradeKey], change: Change) -> None:
     """Notes the submissions that were never seen before."""
-    for key in keys:
-        name = {"student": key.student, "sheet": key.sheet, "hash": key.submission}
-        known = select(submission.c.entry).where(*_same(submission, name))
-        if connection.scalar(known) is None:
-            row = {**name, "entry": enter(connection, change)}
-            connection.execute(submission.insert().values(**row))
+    columns = (submission.c.student, submission.c.sheet, submission.c.hash)
+    for some in _batches(keys):
+        names = {(key.student, key.sheet, key.submission): None for key in some}
+        there = select(*columns).where(tuple_(*columns).in_([*names]))
+        seen = {tuple(row) for row in connection.execute(there)}
+        for student, sheet, found in names:
+            if (student, sheet, found) not in seen:
+                row = {"student": student, "sheet": sheet, "hash": found}
+                row |= {"entry": enter(connection, change)}
+                connection.execute(submission.insert().values(**row))
+
+
+def all_newest(connection: Connection, keys: Sequence[GradeKey]) -> dict[GradeKey, int]:
+    """The numbers of the last grades of those keys that have one."""
+    columns = (grade.c.student, grade.c.sheet, grade.c.submission, grade.c.rules)
+    found: dict[GradeKey, int] = {}
+    for some in _batches(keys):
+        named = [tuple(vars(key).values()) for key in some]
+        query = select(*columns, func.max(grade.c.entry)).where(tuple_(*columns).in_(named))
+        for *name, number in connection.execute(query.group_by(*columns)):
+            found[GradeKey(*name)] = number
+    return found
+
+
+def verdicts_of_all(
+    connection: Connection, numbers: Sequence[int]
+) -> dict[int, list[Verdict] | None]:
+    """The verdicts of grades, by number; None where they are damaged."""
+    found: dict[int, list[Verdict] | None] = {}
+    for some in _batches(numbers):
+        found |= {number: [] for number in some}
+        found |= _read(connection, [*some])
+    return found
+
+
+def _batches(items: Sequence[T]) -> Iterator[Sequence[T]]:
+    for start in range(0, len(items), AT_ONCE):
+        yield items[start : start + AT_ONCE]
 
 
 def newest(connection: Connection, key: GradeKey) -> int | None:
@@ -126,11 +169,6 @@ def attempts(connection: Connection, sheet: str) -> dict[str, list[Attempt]]:
         if (student, hash_) in found:
             ordered.setdefault(student, []).append(found[student, hash_])
     return ordered
-
-
-def verdicts_of(connection: Connection, number: int) -> list[Verdict] | None:
-    """The verdicts of one grade; None where they are damaged."""
-    return _read(connection, [number]).get(number, [])
 
 
 def _last(sheet: str) -> "Select[Any]":

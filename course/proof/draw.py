@@ -211,8 +211,10 @@ def _unsolved(exercise: Exercise, v: dict[str, Any], key: AnswerKey, seed: int) 
     if seed >= RENDERED:
         return
     sheet = Sheet(name="validate", exercises=(exercise.slug,))
-    _, solution = notebooks(
-        "validate", sheet, Student("validate", "validate"), [Assignment(exercise, v)]
-    )
+    one = Assignment(exercise, v)
+    for figure in (*one.figures, *one.solved_figures):
+        if figure.lost:
+            yield "", f"a figure cannot be drawn: {figure.lost}"
+    _, solution = notebooks("validate", sheet, Student("validate", "validate"), [one])
     if seed == 0:
         yield from unsolved(exercise, v, key, solution, known)

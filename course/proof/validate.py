@@ -16,7 +16,7 @@ from ...exercises.exercise import ExerciseError
 from ...exercises.files.finding import exercise_files, find, load, own_files
 from ..config import CourseError, read_settings
 from ..drawn import drawn
-from ..variant import canonical
+from ..record import canonical
 from .draw import Failure, because, failures_of
 from .guessing import guess_failures
 from .telling import Telling, accepted, all_told, told

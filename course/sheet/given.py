@@ -84,10 +84,17 @@ def given_formulas(exercise: Exercise, v: dict[str, Any]) -> tuple[list[str], li
 
 def given_form(exercise: Exercise, v: dict[str, Any]) -> str:
     """Markdown of the choices of form, in one line; empty where an exercise has none."""
-    chosen = [f"`{name} = {v[name]!r}`" for name in exercise.structure if name in v]
+    chosen = [f"`{name} {_plainly(v[name])}`" for name in exercise.structure if name in v]
     if not chosen:
         return ""
-    return f"*The form in which you have this exercise: {', '.join(chosen)}.*"
+    return f"*Your variant of this exercise, to name when you ask about it: {', '.join(chosen)}.*"
+
+
+def _plainly(value: Any) -> str:
+    """A choice of form without brackets and quotes."""
+    if isinstance(value, list):
+        return ", ".join(_plainly(inner) for inner in cast("list[Any]", value))
+    return str(value)
 
 
 def _symbol(name: str, value: Any) -> str:

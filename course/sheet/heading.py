@@ -14,11 +14,21 @@ STACKED: dict[Rows, str] = {
     "linear, angular": "the linear rows stand above the angular ones",
     "angular, linear": "the angular rows stand above the linear ones",
 }
-HANDING_IN = (
+NUMBERS = (
     "The numbers on this sheet are yours alone. Replace each `...` by your answer and keep the "
-    "names of the variables: answers are collected by name. At the end restart the kernel and run "
-    "all cells - the sheet is marked in that way, from top to bottom - then save and hand in this "
-    "file."
+    "names of the variables: answers are collected by name."
+)
+HANDING_IN = (
+    "At the end restart the kernel and run all cells - the sheet is marked in that way, from top "
+    "to bottom - then save and hand in this file"
+)
+HANDING_IN_SCRIPT = (
+    "At the end run the whole file - the sheet is marked in that way, from top to bottom - then "
+    "save and hand in this file"
+)
+PRACTICE = (
+    "Nothing of this is handed in: save, and `kinegrade check {own}` or `%check` tells what is "
+    "right and what went wrong, as often as you like."
 )
 SOLVED = (
     "Every part with its question, the way to its answer, and the answer with your numbers. Run "
@@ -37,13 +47,18 @@ def heading(
     student: Student,
     assignments: Sequence[Assignment],
     limits: LimitsTable,
+    own: str,
 ) -> str:
-    """Markdown of a sheet's title, its student, its points, and what holds for all exercises."""
+    """Markdown of a sheet's title, its student, its points, and what holds for all exercises.
+
+    `own` is the name of the file in which it stands.
+    """
     title = f"# {sheet.title or sheet.name}"
     rules = f"{conventions(assignments)} {ROUNDING}"
     time = TIME.format(cell=limits.cell_seconds, notebook=limits.notebook_seconds)
     about = _about(course, sheet, student, assignments)
-    blocks = [title, about, own_rules(sheet), f"{HANDING_IN} {time}", rules]
+    handing_in = f"{NUMBERS} {_handing_in(sheet, student, own)} {time}"
+    blocks = [title, about, own_rules(sheet), handing_in, rules]
     return "\n\n".join(filter(None, blocks))
 
 
@@ -58,6 +73,27 @@ def minutes_text(sheet: Sheet, assignments: Sequence[Assignment]) -> str:
     return f"{minutes} minutes"
 
 
+def _handing_in(sheet: Sheet, student: Student, own: str) -> str:
+    """What is done with the file at the end; of what a student drew for practice, nothing."""
+    if not student.id:
+        return PRACTICE.format(own=own)
+    others = [f"{sheet.name}{ending}" for ending in _starters(sheet)]
+    others = [f"`{other}`" for other in others if other != own]
+    last = HANDING_IN_SCRIPT if own.endswith(".py") else HANDING_IN
+    if not others:
+        return f"{last}."
+    places = " or ".join(others)
+    return f"{last}, or answer in {places} in its place. Of several files the newest counts."
+
+
+def _starters(sheet: Sheet) -> list[str]:
+    """Endings of what is handed out and can be handed in."""
+    endings = [".ipynb"]
+    if sheet.python:
+        endings.append(".py")
+    return endings
+
+
 def solution_heading(
     course: str, sheet: Sheet, student: Student, assignments: Sequence[Assignment]
 ) -> str:
@@ -70,9 +106,10 @@ def solution_heading(
 def _about(course: str, sheet: Sheet, student: Student, assignments: Sequence[Assignment]) -> str:
     points = sum(one.exercise.points for one in assignments)
     name = no_markup(student.name) or student.id
+    who = f"**{name}** (`{student.id}`)" if student.id else f"**{name}**"
     return (
-        f"{course} · sheet `{sheet.name}` · **{name}** (`{student.id}`) · "
-        f"{points_text(points)} · about {minutes_text(sheet, assignments)}"
+        f"{course} · sheet `{sheet.name}` · {who} · {points_text(points)} · "
+        f"about {minutes_text(sheet, assignments)}"
     )
 
 

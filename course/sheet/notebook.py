@@ -5,6 +5,7 @@ from typing import Any
 
 from ...exercises.exercise import Exercise, Manual
 from ..config import LimitsTable, PackagesTable, Sheet, Student
+from .about import KEY
 from .assignment import Assignment
 from .given import given_cell, printed
 from .heading import heading, row_orders, solution_heading
@@ -13,8 +14,6 @@ from .question import figures_text, prompt_text, question_text
 from .self_check import self_check
 from .worked import rubric
 
-KEY = "kinegrade"
-"""What a notebook says of itself stands under this key of its metadata."""
 IMPORTS = "import numpy as np"
 SELF_CHECK = (
     "## Self-check\n\nRun the folded cell below at any time. It sees what is there, not whether it "
@@ -57,29 +56,55 @@ def handout_notebook(
     Raises:
         ExerciseError: an exercise fails on the student's numbers.
     """
-    limits = limits or LimitsTable()
-    title = heading(course, sheet, student, assignments, limits)
+    cells = handout_cells(course, sheet, student, assignments, limits, own=f"{sheet.name}.ipynb")
+    about = self_description(sheet, student, assignments, limits, packages)
+    return notebook_file(cells, {KEY: about}, f"{sheet.name}/{student.id}")
+
+
+def handout_cells(
+    course: str,
+    sheet: Sheet,
+    student: Student,
+    assignments: Sequence[Assignment],
+    limits: LimitsTable | None = None,
+    *,
+    own: str,
+) -> list[Any]:
+    """The cells of a handed-out sheet, in a file of its `own` name.
+
+    Raises:
+        ExerciseError: an exercise fails on the student's numbers.
+    """
+    title = heading(course, sheet, student, assignments, limits or LimitsTable(), own)
     cells = [markdown_cell(title), code_cell(IMPORTS)]
     for one, question in zip(assignments, _questions(assignments), strict=True):
         cells += [markdown_cell(question), code_cell(given_cell(one.exercise, one.v))]
         cells += _blanks(one.exercise, hints=sheet.mode != "exam")
-
     asked = [part for one in assignments for part in one.exercise.asked]
-    cells += [markdown_cell(SELF_CHECK), folded_cell(self_check(asked))]
+    return [*cells, markdown_cell(SELF_CHECK), folded_cell(self_check(asked))]
 
+
+def self_description(
+    sheet: Sheet,
+    student: Student,
+    assignments: Sequence[Assignment],
+    limits: LimitsTable | None = None,
+    packages: PackagesTable | None = None,
+) -> dict[str, Any]:
+    """What a handed-out file says of itself, so that a check uses what marking uses."""
     numbers: dict[str, Any] = {}
     for one in assignments:
         numbers[one.exercise.slug] = printed(one.exercise, one.v)
     # a notebook's keys are sorted when it is written
     order = [one.exercise.slug for one in assignments]
     about = _about(sheet, student) | {"exercises": order, "numbers": numbers}
-    about["limits"] = limits.model_dump()
+    about["limits"] = (limits or LimitsTable()).model_dump()
     adjusted = sheet.adjustments()
     if adjusted:
         about["adjusted"] = adjusted
     if packages and packages.allow:
         about["packages"] = packages.model_dump(mode="json")
-    return notebook_file(cells, {KEY: about}, f"{sheet.name}/{student.id}")
+    return about
 
 
 def solution_notebook(

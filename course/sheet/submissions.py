@@ -1,10 +1,8 @@
-"""What students handed in: found by name, read as bytes, turned into raw values."""
+"""A file as it was handed in: what to ask of it, and the raw values that come out of it."""
 
 import logging
-import os
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import product
 from pathlib import Path
 from typing import Any
 
@@ -13,29 +11,36 @@ from ...grader.collecting.ask import Ask, AskError, Limits
 from ...grader.collecting.collect import cannot_run, collect
 from ...grader.collecting.machine_paths import without_paths
 from ...grader.collecting.mat_file import cannot_read, from_mat
+from ...grader.collecting.matlab_file import from_m
 from ...grader.collecting.named_matrices import every, from_csv, from_json
 from ...grader.collecting.other_formats import other_format
 from ...grader.collecting.wire import Raw
 from ...grader.jail.jail import Jail
-from ..config import CourseError
-from ..escape import printable
+from ..errors import CourseError
+from .about import NOTEBOOK, SCRIPT
+from .upload import Upload, on_disk, visible_names
+
+__all__ = ["NOTEBOOK", "READERS", "RUN", "SCRIPT", "Submission", "read_submission"]
 
 log = logging.getLogger(__name__)
-MAX_BYTES = 25 << 20
-MAX_NOTEBOOK = 200 << 20  # outputs included, which are dropped before anything else
 MAX_BESIDE = 32 << 20  # of the files beside a notebook
-NOTEBOOK = ".ipynb"
-REQUEST = ".request.txt"
-"""How the files end in which students ask to have something looked at again."""
-OWN_FILE = "a submission takes a file of its own"
+RUN = (NOTEBOOK, SCRIPT)
+"""Endings of files that are run."""
 Reader = Callable[[bytes, Sequence[Ask], Limits], dict[str, Raw]]
 READERS: dict[str, Reader] = {
     NOTEBOOK: collect,
+    SCRIPT: lambda data, asks, limits: collect(data, asks, limits, script=f"sheet{SCRIPT}"),
     ".json": lambda data, asks, _: from_json(data, asks),
     ".csv": lambda data, asks, _: from_csv(data, asks),
     ".mat": lambda data, asks, _: from_mat(data, asks),
+    ".m": lambda data, asks, _: from_m(data, asks),
 }
-HINDRANCES: dict[str, Callable[[], str]] = {NOTEBOOK: cannot_run, ".mat": cannot_read}
+"""Endings of files that can be marked; of two files of one age, the first one counts."""
+HINDRANCES: dict[str, Callable[[], str]] = {
+    NOTEBOOK: cannot_run,
+    SCRIPT: cannot_run,
+    ".mat": cannot_read,
+}
 """Why files of an ending cannot be marked on this machine.
 
 It is no fault of the student's, so never a zero.
@@ -44,17 +49,38 @@ It is no fault of the student's, so never a zero.
 
 @dataclass(frozen=True)
 class Submission:
-    """One file as it was handed in."""
+    """One file as it was handed in.
+
+    Attributes:
+        path: Where it lies; of a file in a zip archive, the path begins with that of the archive.
+        data: What it holds.
+        packed: The files beside it in an archive that it mentions; None on the disk.
+        handed_in: The archive that it came in; None where it came alone.
+        unread: Other files that look like versions of it, which were not read.
+    """
 
     path: Path
     data: bytes
+    packed: Mapping[str, bytes] | None = None
+    handed_in: Path | None = None
+    unread: tuple[str, ...] = ()
+
+    @property
+    def ending(self) -> str:
+        """What the file is by its name, in small letters."""
+        return self.path.suffix.lower()
+
+    @property
+    def is_run(self) -> bool:
+        """Whether it is a notebook or a script, and no file of values."""
+        return self.ending in RUN
 
     def asks(self, exercise: Exercise, v: Variant) -> list[Ask]:
         """What to bring back: a notebook's functions are called, a file holds results of calls.
 
         A part whose calls cannot be made has an Ask that says why; all others are asked for.
         """
-        published = self.path.suffix != NOTEBOOK
+        published = not self.is_run
         asks: list[Ask] = []
         for part in exercise.asked:
             asks.append(_ask(part, v, published=published))
@@ -66,11 +92,13 @@ class Submission:
 
         No links, as these may lead anywhere, and no more than a jail holds.
         """
+        if self.packed is not None:
+            return dict(self.packed)
         found: dict[str, bytes] = {}
         left = MAX_BESIDE
-        if self.path.suffix != NOTEBOOK or not self.data:
+        if not self.is_run or not self.data:
             return found
-        for name in _visible_names(self.path.parent):
+        for name in visible_names(self.path.parent):
             path = self.path.parent / name
             if name == self.path.name or path.stem.encode() not in self.data:
                 continue
@@ -82,8 +110,16 @@ class Submission:
             left -= len(found[name])
         return found
 
-    def raws(self, asks: Sequence[Ask], limits: Limits, jail: Jail | None = None) -> dict[str, Raw]:
-        """The asked values; runs the notebook, or reads the file of matrices.
+    def raws(
+        self,
+        asks: Sequence[Ask],
+        limits: Limits,
+        jail: Jail | None = None,
+        beside: Mapping[str, bytes] | None = None,
+    ) -> dict[str, Raw]:
+        """The asked values; runs the notebook or script, or reads the file of matrices.
+
+        Files `beside` the notebook are looked for where they are not given.
 
         Raises:
             JailError: no notebook can run on this machine as it should.
@@ -99,10 +135,13 @@ class Submission:
         other = other_format(self.data)
         if other:
             return found | every(asked, other.sentence)
-        if self.path.suffix != NOTEBOOK:
-            return found | READERS[self.path.suffix](self.data, asked, limits)
+        if not self.is_run:
+            return found | READERS[self.ending](self.data, asked, limits)
         if asked:
-            found |= collect(self.data, asked, limits, jail=jail, beside=self.beside())
+            if beside is None:
+                beside = self.beside()
+            script = self.path.name if self.ending == SCRIPT else ""
+            found |= collect(self.data, asked, limits, jail=jail, beside=beside, script=script)
             for ask in asked:
                 if ask.calls:
                     found[ask.name] = _called(found[ask.name])
@@ -115,7 +154,7 @@ def _called(raw: Raw) -> Raw:
     Those were not computed before our eyes.
     """
     if raw.kind in ("num", "text") or raw.listed:
-        return Raw("error", "takes a function of this name in a notebook, not its results")
+        return Raw("error", "takes a function of this name, not its results, in a file that is run")
     return raw
 
 
@@ -142,80 +181,6 @@ def _calls(answer: Function, v: Variant, *, published: bool) -> list[tuple[Any, 
     return answer.calls(v)
 
 
-def find_submission(folder: Path, student: str, sheet: str) -> Submission | None:
-    """The student's file for a sheet; None when there is none.
-
-    A notebook goes before .json, that before .csv, and that before .mat. What it raises names the
-    file below the course folder: the student reads it.
-
-    Raises:
-        CourseError: the file is there and cannot be read, or is a link to some other file.
-    """
-    for suffix in READERS:
-        path = folder / "submitted" / student / f"{sheet}{suffix}"
-        if not path.exists() and not path.is_symlink():  # a link to nowhere does not exist
-            continue
-        try:
-            _refuse_link(path)
-            return read_submission(path)
-        except CourseError as error:
-            raise CourseError(str(error).replace(f"{folder}{os.sep}", "")) from error
-    return None
-
-
-def _refuse_link(path: Path) -> None:
-    """Refuses what leads elsewhere: below submitted/ a link may lead to somebody else's file."""
-    for place in (path.parent, path):
-        if place.is_symlink():
-            raise CourseError(f"{place} is a link; {OWN_FILE}")
-    if path.is_file() and path.stat().st_nlink > 1:
-        raise CourseError(
-            f"{path} is a link: the same file stands under another name, too; {OWN_FILE}"
-        )
-
-
-def misnamed(folder: Path, student: str, sheets: Collection[str]) -> str:
-    """The first of a student's files that is named after no sheet; empty when there is none."""
-    known = {f"{sheet}{suffix}" for sheet, suffix in product(sheets, READERS)}
-    for name in _visible_names(folder / "submitted" / student):
-        if name not in known and not name.endswith(REQUEST):
-            return name
-    return ""
-
-
-def passed_over(
-    folder: Path, student: str, sheet: str, sheets: Collection[str], marked: Path
-) -> list[str]:
-    """Files of a student that look like another version of the one that is marked."""
-    known = {f"{other}{suffix}" for other, suffix in product(sheets, READERS) if other != sheet}
-    found: list[str] = []
-    for name in _visible_names(folder / "submitted" / student):
-        if name == marked.name or name in known or Path(name).suffix not in READERS:
-            continue
-        if name.casefold().startswith(sheet.casefold()):
-            found.append(printable(name))
-    return found
-
-
-def strangers(folder: Path, students: Collection[str]) -> list[str]:
-    """Names in submitted/ that are nobody's of the roster."""
-    found: list[str] = []
-    for name in _visible_names(folder / "submitted"):
-        if name in students:
-            continue
-        found.append(printable(name))
-    return found
-
-
-def _visible_names(folder: Path) -> list[str]:
-    """What lies in a folder, sorted, without files that systems hide; nothing where none is."""
-    try:
-        names = sorted(path.name for path in folder.iterdir())
-    except OSError:
-        return []
-    return [name for name in names if not name.startswith(".")]
-
-
 def read_submission(path: Path) -> Submission:
     """The bytes of one file.
 
@@ -223,29 +188,19 @@ def read_submission(path: Path) -> Submission:
         CourseError: it cannot be read, is too large, or has an ending that cannot be marked, at all
             or on this machine.
     """
-    if path.suffix not in READERS:
+    return submission_of(on_disk(path))
+
+
+def submission_of(upload: Upload) -> Submission:
+    """What was handed in, read. Raises CourseError as `read_submission`."""
+    upload.raise_refusal()
+    if upload.ending not in READERS:
         raise CourseError(
-            f"{path}: a submission takes one of the endings {', '.join(READERS)}, "
-            f"got {path.suffix!r}"
+            f"{upload.path}: a submission takes one of the endings {', '.join(READERS)}, "
+            f"got {upload.path.suffix!r}"
         )
-    if path.suffix in HINDRANCES:
-        hindrance = HINDRANCES[path.suffix]()
+    if upload.ending in HINDRANCES:
+        hindrance = HINDRANCES[upload.ending]()
         if hindrance:
-            raise CourseError(f"{path}: {hindrance}")
-    try:
-        return Submission(path, _bytes_of(path))
-    except OSError as error:
-        raise CourseError(f"{path} cannot be read: {error.strerror}") from error
-
-
-def _bytes_of(path: Path) -> bytes:
-    """What a file holds that is one, and not too large. Raises CourseError, OSError."""
-    if path.is_symlink():  # it may point at somebody else's
-        raise CourseError(f"{path} is a link; {OWN_FILE}")
-    if path.exists() and not path.is_file():  # a pipe would be waited for
-        raise CourseError(f"{path} cannot be read: it is not a file")
-    size = path.stat().st_size
-    most = MAX_NOTEBOOK if path.suffix == NOTEBOOK else MAX_BYTES
-    if size > most:
-        raise CourseError(f"{path} has {size >> 20} MB; a submission may have {most >> 20} MB")
-    return path.read_bytes()
+            raise CourseError(f"{upload.path}: {hindrance}")
+    return Submission(upload.path, upload.data)

@@ -53,6 +53,19 @@ def read_receipts(folder: Path, zone: tzinfo = UTC) -> list[Receipt]:
     return found
 
 
+def listed_times(folder: Path, zone: tzinfo = UTC) -> dict[tuple[str, str, str], datetime]:
+    """Student, sheet and name of a file to when it came in; of several lines the latest counts.
+
+    Raises:
+        CourseError: as `read_receipts`.
+    """
+    found: dict[tuple[str, str, str], datetime] = {}
+    for one in read_receipts(folder, zone):
+        key = (one.student, one.sheet, one.file)
+        found[key] = max(one.received, found.get(key, one.received))
+    return found
+
+
 def _receipt(place: str, cells: dict[str, str], zone: tzinfo) -> Receipt:
     missing = [column for column in COLUMNS if not cells.get(column)]
     if missing:

@@ -1,13 +1,10 @@
 """What a student has for a sheet: the verdicts, and what deadlines and people make of them."""
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
 
 from ...grader.marking.verdict import Finding, Verdict
+from ..roster import Student
 from ..times import IN_TIME, Lateness
-
-if TYPE_CHECKING:
-    from ..roster import Student
 
 UNSAFE_STAMP = Finding(
     "This notebook was run at level unsafe: it could have changed any marks.",
@@ -44,7 +41,7 @@ class Result:
         by_now: The result as it would be published today, where that is another.
     """
 
-    student: "Student"
+    student: Student
     sheet: str
     verdicts: tuple[Verdict, ...] = ()
     reason: str = ""

@@ -33,7 +33,16 @@ def load(path: Path) -> Exercise:
         ExerciseError: the file cannot be read or run, defines no exercise, or its slug is not its
             file name.
     """
-    source = read_source(path)
+    return load_source(read_source(path))
+
+
+def load_source(source: Source) -> Exercise:
+    """The exercise of a file as it was read, here or on another machine.
+
+    Raises:
+        ExerciseError: as `load`.
+    """
+    path = source.path
     if path.suffix != ".py":
         raise ExerciseError(f"{path}: an exercise file takes the ending .py")
     try:

@@ -36,6 +36,7 @@ def collect(
     *,
     jail: Jail | None = None,
     beside: Mapping[str, bytes] | None = None,
+    script: str = "",
 ) -> dict[str, Raw]:
     """The asked variables by name, after all cells ran.
 
@@ -45,14 +46,14 @@ def collect(
     What is missing because the notebook was stopped from outside is of kind "interrupted".
 
     A `jail` that is kept saves starting one for every notebook. The notebook sees copies of the
-    files `beside` it, by name.
+    files `beside` it, by name. With `script`, the name of a .py file, it is run as that.
 
     Raises:
         JailError: no notebook can run on this machine as it should.
     """
     if jail is None:
         with Jail(Permission(), preload=FOR_ONE) as own:
-            return collect(notebook, asks, limits, jail=own, beside=beside)
+            return collect(notebook, asks, limits, jail=own, beside=beside, script=script)
 
     limits = limits or Limits()
     names = [ask.name for ask in asks]
@@ -60,7 +61,8 @@ def collect(
     for ask in asks:
         if ask.calls:
             calls[ask.name] = ask.calls
-    about = {"asks": names, "calls": calls, "cell_seconds": limits.cell_seconds}
+    about: dict[str, Any] = {"asks": names, "calls": calls, "script": script}
+    about["cell_seconds"] = limits.cell_seconds
     request = _request(about, notebook, beside or {})
 
     end = jail.run(Order(request, limits.notebook_seconds, limits.memory_mb, limits.file_mb))

@@ -30,7 +30,8 @@ if TYPE_CHECKING:
 
 SAMPLES = 49  # per axis
 SIDE = 220.0  # [px] of the map
-FRAME = "-56 -10 296 300"
+FRAME = "-56 -10 296"  # all of the view box but its height
+TALL, LINE = 276, 18  # [px] of the map with its axes, and of a curve named below it
 # Bounds of the bands, as shares of the largest singular value, and their colours.
 BOUNDS = (-1.0, 0.04, 0.12, 0.25, 0.42, 0.65, 2.0)
 BANDS = ("#00224e", "#3c5580", "#7388a9", "#a7b5ca", "#d0d9e4", "#eef2f6")
@@ -66,13 +67,16 @@ def own_map(robot: "Robot", parameters: Parameters, q: Array) -> str:
     grid[..., first], grid[..., second] = np.meshgrid(_samples(across), _samples(up))
 
     drawn = _bands(across, up, sigma_min(task_block(part, grid[..., : part.chain.n])))
+    curves: list[str] = []
     if part.factors:
         values = factor_values(robot, parameters, grid)
-        drawn += _curves(across, up, {f.name: values[f.name] for f in part.factors})
+        curves = _curves(across, up, {f.name: values[f.name] for f in part.factors})
+    drawn += curves
     drawn += [*_edge(part, across), *_edge(part, up), *_mark(part, across, up, q)]
     body = "\n".join(drawn)
+    frame = f"{FRAME} {TALL + LINE * len(curves)}"
     return (
-        f'<svg xmlns="http://www.w3.org/2000/svg" class="own-map" viewBox="{FRAME}" width="296"'
+        f'<svg xmlns="http://www.w3.org/2000/svg" class="own-map" viewBox="{frame}" width="296"'
         f' role="img"><title>{TITLE}</title><g font-family="{FONTS}" font-size="13">\n{body}\n'
         "</g></svg>"
     )
@@ -111,26 +115,23 @@ def _bands(across: _Axis, up: _Axis, sigma: Array) -> list[str]:
 
 
 def _curves(across: _Axis, up: _Axis, values: dict[str, Array]) -> list[str]:
-    """The zero line of each factor, in its own pattern, and the names of those that are there."""
+    """The zero line of each factor that has one there, in its own pattern, and its name below."""
     places = (across.pixels(_samples(across)), up.pixels(_samples(up)))
-    drawn, named = [], 0
+    drawn: list[str] = []
     for (name, value), dashes in zip(values.items(), DASHES, strict=False):
         lines: Any = contour_generator(*places, value).lines(0.0)
         path = "".join(f"M{_line(line)}" for line in lines)
         if not path:
             continue
-        for colour, width in (("#fff", 3.6), ("#b3261e", 1.7)):
-            drawn.append(
-                f'<path d="{path}" fill="none" stroke="{colour}" stroke-width="{width}"'
-                f' stroke-dasharray="{dashes}"/>'
-            )
-        at = 110.0 * named
+        line = f'<path d="{path}" fill="none" stroke-dasharray="{dashes}"'
+        at = TALL + LINE * len(drawn)
         drawn.append(
-            f'<path d="M{px(at)} 276h26" stroke="#b3261e" stroke-width="1.7"'
+            f'{line} stroke="#fff" stroke-width="3.6"/>'
+            f'{line} stroke="#b3261e" stroke-width="1.7"/>'
+            f'<path d="M0 {at}h26" stroke="#b3261e" stroke-width="1.7"'
             f' stroke-dasharray="{dashes}"/>'
-            f'<text class="tick" x="{px(at + 31)}" y="280">{text_xml(short(name))}</text>'
+            f'<text class="tick" x="31" y="{at + 4}">{text_xml(short(name))}</text>'
         )
-        named += 1
     return drawn
 
 

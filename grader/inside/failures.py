@@ -17,9 +17,9 @@ class Failures:
         self.first = ""
         self.by_name = {}  # (sentence, absent package) of each
 
-    def add(self, number, source, error):
+    def add(self, where, source, error):
         """Keeps the error of a cell; where a name is missing, the first error may be the reason."""
-        said = failure(number, error, self.seconds)
+        said = failure(where, error, self.seconds)
         if isinstance(error, NameError) and self.first:
             said += f"; before that, {self.first}"
         self.first = self.first or said
@@ -31,6 +31,8 @@ class Failures:
 
     def forget(self, source):
         """Drops the errors of what a cell has now set."""
+        if not self.by_name:
+            return
         for name in assigned_names(source):
             self.by_name.pop(name, None)
 
@@ -43,11 +45,25 @@ def failed(why, package=""):
     return value
 
 
-def failure(number, error, seconds):
-    """What a cell stopped with, in a sentence."""
+def failure(where, error, seconds):
+    """What a cell stopped with, in a sentence that begins with where it is."""
+    if not isinstance(error, SyntaxError):
+        return f"{where} {stopped(error, seconds)}"
+    if where.startswith("cell"):
+        return f"{where} is not Python: {error.msg} (line {error.lineno})"
+    return f"{where} is not Python: {error.msg}"
+
+
+def line_of(error):
+    """The line of a cell in which it stopped, counted from 1."""
     if isinstance(error, SyntaxError):
-        return f"cell {number} is not Python: {error.msg} (line {error.lineno})"
-    return f"cell {number} {stopped(error, seconds)}"
+        return error.lineno or 1
+    trace = error.__traceback__
+    while trace is not None:
+        if trace.tb_frame.f_code.co_filename == "<cell>":
+            return trace.tb_lineno
+        trace = trace.tb_next
+    return 1
 
 
 def stopped(error, seconds):

@@ -19,9 +19,22 @@ class Notebook:
         self.code = code
         self.prose = prose
         self.language = language
+        self.hints = {}
+
+    def where(self, index, _error):
+        """The cell of that index, counted as people do."""
+        return f"cell {index + 1}"
 
     def hint(self, name):
-        """Why a name may be missing that stands in the file all the same; empty where it is not."""
+        """Why a name may be missing that stands in the file all the same; empty where it is not.
+
+        It is asked after every cell, and follows from the file alone.
+        """
+        if name not in self.hints:
+            self.hints[name] = self._hint(name)
+        return self.hints[name]
+
+    def _hint(self, name):
         if self.language not in PYTHON:
             return f"the notebook has a kernel for {self.language[:40]}; a sheet takes Python"
         assigned = re.compile(rf"^\s*{re.escape(name)}\s*=(?!=)", re.MULTILINE)

@@ -7,6 +7,7 @@ import ast
 import builtins
 import inspect
 import io
+import os
 import re
 import sys
 import types
@@ -66,6 +67,11 @@ class Session:
             self._execute(piece)
         if last is not None:
             self._keep(self._evaluated(last))
+
+    def stand_in(self, name):
+        """Has a script find its own name, as `python NAME` would; the file itself is not there."""
+        self.scope["__file__"] = os.path.join(os.getcwd(), name)
+        sys.argv = [name]
 
     def close_figures(self):
         """As Jupyter does after a cell: the next plot is a new figure."""

@@ -7,7 +7,9 @@ from .limits import MAX_CALLS, MAX_ELEMENTS, MAX_ROWS
 from .texts import entry, holds_text, text_of
 
 PENDING = {"k": "missing", "v": ""}
-IN_PLACE = "simplify() of a Matrix changes it in place and returns nothing"
+IN_PLACE = (
+    "a function without a return gives it, and simplify() of a Matrix, which changes it in place"
+)
 NAMED_TYPES = {"dict": "a dict", "function": "a function", "NoneType": "None", "set": "a set"}
 
 

@@ -16,7 +16,10 @@ from .syscalls import NoFilterError
 from .zygote import End, LostError, Order, Zygote
 
 FOR_MANY = ("numpy", "sympy", "IPython.core.inputtransformer2", "matplotlib.pyplot")
+NOT_TO_BE_HAD = (JailError, NoFilterError, NoBubblewrapError, OSError)
 FOR_ONE = ("numpy",)  # loading what one notebook may not need takes longer than it saves
+MENTIONS = (b"sympy", b"matplotlib", b"IPython", b'"%', b'"!')
+"""What stands in the file of a notebook that loads more than numpy, be it by a magic."""
 
 
 class Jail:
@@ -28,18 +31,21 @@ class Jail:
         packages: Sequence[str] = (),
         *,
         level: Level | None = None,
-        preload: Sequence[str] = FOR_MANY,
+        preload: Sequence[str] | None = None,
     ) -> None:
         """Takes the best permitted level when the first notebook comes, or a given one.
 
         `packages` can be imported besides the usual ones; those of `preload` are imported once for
-        all notebooks.
+        all notebooks. Without it, numpy is, and sympy and its like for those that mention it: to
+        fork a process that holds them takes longer than most notebooks.
         """
         self.permission = permission or Permission()
         self._level = level
         self._packages = tuple(packages)
-        self._preload = tuple(preload)
+        self._preload = FOR_ONE if preload is None else tuple(preload)
+        self._by_notebook = preload is None
         self._idle: SimpleQueue[Zygote] = SimpleQueue()
+        self._idle_full: SimpleQueue[Zygote] = SimpleQueue()
         # A zygote dies with the thread that started it, so that is one that lasts.
         self._starter = ThreadPoolExecutor(max_workers=1)
 
@@ -60,28 +66,49 @@ class Jail:
         Raises:
             JailError: no process for it can be started.
         """
-        zygote = self._taken()
+        idle, preload = self._idle, self._preload
+        if self._by_notebook and any(word in order.request for word in MENTIONS):
+            idle, preload = self._idle_full, FOR_MANY
+        zygote = self._taken(idle, preload)
         try:
             return zygote.run(order)
         except LostError:
             return None
         finally:
             if zygote.alive:
-                self._idle.put(zygote)
+                idle.put(zygote)
 
-    def _taken(self) -> Zygote:
+    def _taken(self, idle: "SimpleQueue[Zygote]", preload: tuple[str, ...]) -> Zygote:
         try:
-            return self._idle.get_nowait()
+            return idle.get_nowait()
         except Empty:
-            compiled(self._preload)
-            start = self._starter.submit(Zygote, self.level, self._packages, self._preload)
-            return start.result()
+            compiled(preload)
+            return self._untried(preload) or self._started(self.level, preload)
+
+    def _untried(self, preload: tuple[str, ...]) -> Zygote | None:
+        """The first one at the best permitted level, before anything was tried out.
+
+        A level that works need not be tried by a process of its own.
+        """
+        if self._level is not None or not on_linux():
+            return None
+        best, *_ = self.permission.levels()
+        try:
+            zygote = self._started(best, preload)
+        except NOT_TO_BE_HAD:
+            return None
+        self._level = best
+        return zygote
+
+    def _started(self, level: Level, preload: tuple[str, ...]) -> Zygote:
+        return self._starter.submit(Zygote, level, self._packages, preload).result()
 
     def close(self) -> None:
         """Ends all zygotes; the next notebook starts new ones."""
-        with suppress(Empty):
-            while True:
-                self._idle.get_nowait().close()
+        for idle in (self._idle, self._idle_full):
+            with suppress(Empty):
+                while True:
+                    idle.get_nowait().close()
         self._starter.shutdown()
         self._starter = ThreadPoolExecutor(max_workers=1)
 
@@ -126,7 +153,7 @@ def missing(level: Level) -> str:
     """Why a level does not work on this machine, tried out; empty where it does."""
     try:
         Zygote(level, (), ()).close()
-    except (JailError, NoFilterError, NoBubblewrapError, OSError) as error:
+    except NOT_TO_BE_HAD as error:
         return str(error)
     return ""
 

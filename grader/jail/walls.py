@@ -1,15 +1,13 @@
 """How a zygote is started at a level: its command, and what it is told about its surroundings."""
 
 import json
-import shutil
-import subprocess
-import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from .bubblewrap import PACKAGES, SCRATCH, walled, working
+from .folders import new_folder
 from .level import Level
 from .machine import DEVICES, INSIDE, readable, readable_without_hidden
 from .packages import importable, interpreter
@@ -100,23 +98,10 @@ def _python(packages: str) -> tuple[str, ...]:
 
 def _folder(packages: tuple[str, ...]) -> Path:
     """A folder with links to the packages, and another to write to."""
-    folder = Path(tempfile.mkdtemp(prefix="kinegrade-notebooks-")).resolve()
+    folder = new_folder()
     (folder / "scratch").mkdir()
     links = folder / "packages"
     links.mkdir()
     for name, path in {**importable(packages), INSIDE.name: INSIDE}.items():
         (links / name).symlink_to(path)
     return folder
-
-
-def remove(folder: str) -> None:
-    """Removes a zygote's folder, whatever was put into it."""
-    if not folder or not Path(folder).is_dir():
-        return
-    try:
-        shutil.rmtree(folder)
-    except (OSError, RecursionError):  # folders in one another, or without the right to look in
-        for words in (["/bin/chmod", "-R", "u+rwX"], ["/bin/rm", "-rf"]):
-            subprocess.run(  # noqa: S603 - our own folder
-                [*words, "--", folder], check=False, stderr=subprocess.DEVNULL
-            )

@@ -10,10 +10,12 @@ import time
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import Any
 
+from .folders import remove
 from .level import JailError, Level
-from .walls import Surroundings, remove, surroundings
+from .walls import Surroundings, surroundings
 
 MAX_FRAME = 2 << 20
 MAX_MESSAGE = 1 << 16
@@ -21,6 +23,9 @@ MAX_STREAM = 512 << 20  # of all frames of one notebook
 START_SECONDS = 120  # a busy machine loads sympy slowly
 FULL = "the notebook wrote more files than a sheet asks for"
 TOO_MUCH = "the notebook wrote more than its answers can hold"
+TOO_MANY = "the notebook started more threads than a sheet asks for"
+MOST_THREADS = 64  # beside the one that runs the cells
+LOOK_SECONDS = 0.1  # at the threads: a process may have any number, and they are the machine's
 SHUT = "a cell closed the pipe that answers take"
 GONE_SECONDS = 5  # from the end of its pipe to that of a process that ends by itself
 END_SECONDS = 60  # until a killed process is gone and its folder is empty
@@ -107,7 +112,7 @@ class Zygote:
             handle = self._begin(order, theirs)
             os.close(theirs)
             theirs = -1
-            end = _frames(ours, order.notebook_seconds)
+            end = _frames(ours, handle, order.notebook_seconds)
             if not (end.clock or end.stopped or _is_gone(handle)):
                 end = replace(end, stopped=SHUT)
             with suppress(ProcessLookupError):
@@ -189,16 +194,35 @@ def _write(descriptor: int, data: bytes) -> None:
         file.write(data)
 
 
-def _frames(ours: int, seconds: float) -> End:
+def _threads(handle: int) -> int:
+    """How many threads the process of a handle has; none when it is gone."""
+    try:
+        about = Path(f"/proc/self/fdinfo/{handle}").read_text(encoding="ascii")
+        pid = int(_field(about, "Pid:"))
+        return int(_field(Path(f"/proc/{pid}/status").read_text(encoding="utf-8"), "Threads:"))
+    except (OSError, ValueError):
+        return 0
+
+
+def _field(text: str, name: str) -> str:
+    return text.partition(f"{name}\t")[2].partition("\n")[0]
+
+
+def _frames(ours: int, handle: int, seconds: float) -> End:
     """The newest complete frame when the process ends or has to be stopped, and why it has."""
-    end = time.monotonic() + seconds
+    begin = time.monotonic()
+    end, look = begin + seconds, begin + LOOK_SECONDS
     buffer = newest = b""
     total = 0
     while True:
-        left = end - time.monotonic()
-        if left <= 0:
+        now = time.monotonic()
+        if now >= end:
             return End(newest, clock=True)
-        ready, _, _ = select.select([ours], [], [], left)
+        if now >= look:
+            look = now + LOOK_SECONDS
+            if _threads(handle) > 1 + MOST_THREADS:
+                return End(newest, stopped=TOO_MANY)
+        ready, _, _ = select.select([ours], [], [], max(0.0, min(look, end) - now))
         if not ready:
             continue
 

@@ -148,20 +148,36 @@ class AnswerKey:
         marker = marker_of(part.answer)
         earning = ~marker.trivial(part.answer, self.wanted(part), self.v)
         if marker.varies:
-            earning &= varying(self.exercise)[part.variable]
+            earning &= varying(self.exercise, part.variable)
         return earning if earning.any() else np.ones_like(earning)
 
 
+@lru_cache(maxsize=512)
+def varying(exercise: Exercise, variable: str) -> Mask:
+    """Entries of a part of numbers or a table that differ between draws."""
+    (asked,) = [part for part in exercise.asked if part.variable == variable]
+    pictures: list[Any] = []
+    for v, answers in _sample(exercise):
+        for part in _needed(exercise, asked):
+            if part.variable not in answers:
+                given = {name: answers[name] for name in part.needs}
+                answers[part.variable] = solve(exercise.slug, part, v, given)
+        pictures.append(asked.answer.pictured(answers[variable], v))
+    return np.asarray(np.ptp(np.array(pictures), axis=0) > 1e-6)
+
+
 @lru_cache(maxsize=64)
-def varying(exercise: Exercise) -> dict[str, Mask]:
-    """Entries of every part of numbers or tables that differ between draws."""
-    variants: list[Variant] = [exercise.draw(np.random.default_rng(seed)) for seed in range(SAMPLE)]
-    answers = [references(exercise, v) for v in variants]
-    found: dict[str, Mask] = {}
-    for part in exercise.asked:
-        if not marker_of(part.answer).varies:
-            continue
-        drawn = zip(answers, variants, strict=True)
-        pictures = [part.answer.pictured(answer[part.variable], v) for answer, v in drawn]
-        found[part.variable] = np.asarray(np.ptp(np.array(pictures), axis=0) > 1e-6)
-    return found
+def _sample(exercise: Exercise) -> list[tuple[Variant, dict[str, Any]]]:
+    """Variants, each with a place for the answers that were asked for so far."""
+    return [(exercise.draw(np.random.default_rng(seed)), {}) for seed in range(SAMPLE)]
+
+
+def _needed(exercise: Exercise, part: Part) -> list[Part]:
+    """A part behind those that it needs, and that these need: no formulas for mere numbers."""
+    wanted = {part.variable}
+    found: list[Part] = []
+    for earlier in reversed(exercise.parts):
+        if earlier.variable in wanted:
+            found.append(earlier)
+            wanted.update(earlier.needs)
+    return found[::-1]

@@ -1,6 +1,6 @@
 """When may an answer be judged from own earlier ones? Not from copied, made-up, easier data."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any, cast
 
 import numpy as np
@@ -46,9 +46,15 @@ def is_trivial(reference: Any, own: Any) -> bool:
     return 2 * different_numbers(own) < different_numbers(reference)
 
 
-def zeros_pass(wanted: NDArray[np.float64], allowed: Allowed, earning: NDArray[np.bool_]) -> bool:
-    """Whether a matrix of zeros would agree with many of the entries that carry points."""
-    return bool(allowed.holds(np.abs(wanted))[earning].mean() > MOST_ZEROS)
+def zeros_pass(
+    wanted: NDArray[np.float64], allowed: Allowed, earning: Callable[[], NDArray[np.bool_]]
+) -> bool:
+    """Whether a matrix of zeros would agree with many of the entries that carry points.
+
+    Which do is asked only where some would.
+    """
+    zeros = allowed.holds(np.abs(wanted))
+    return bool(zeros.any() and zeros[earning()].mean() > MOST_ZEROS)
 
 
 def owner_of(part: Part, answer: Any, others: Others) -> str:
@@ -130,8 +136,8 @@ def is_printed(exercise: Exercise, v: Variant, answer: Any) -> bool:
 def _sizes(array: Any) -> NDArray[np.float64]:
     """The sizes of an array's numbers, without those that are common to everybody."""
     rounded = np.round(np.abs(np.asarray(array, dtype=np.float64)), 4)
-    sizes = np.unique(np.asarray(rounded, dtype=np.float64))
-    return sizes[(sizes != 0) & (sizes != 1)]
+    sizes = {*np.asarray(rounded, dtype=np.float64).ravel().tolist()} - {0.0, 1.0}
+    return np.array(sorted(sizes))
 
 
 def different_numbers(array: Any) -> int:

@@ -71,4 +71,4 @@ def _is_easier(key: AnswerKey, part: Part, wanted: Wanted) -> bool:
         return True
     if not isinstance(part.answer, Numbers):
         return False
-    return zeros_pass(wanted.value, wanted.allowed, key.earning(part))
+    return zeros_pass(wanted.value, wanted.allowed, lambda: key.earning(part))

@@ -7,13 +7,14 @@ import numpy as np
 
 from ...exercises.exercise import Numbers, Part
 from .follow import SAME, TELLING, Peers, different_numbers
+from .near import Near
 
 Handed = Mapping[str, Mapping[str, Any]]
 """Student to what that student handed in, by variable, as nested lists."""
 
 
 def sharing(parts: Iterable[Part], handed: Handed) -> dict[str, Peers]:
-    """For every student with numbers that somebody else has too, those of the others.
+    """For every student with numbers that somebody else has too, those of the first such other.
 
     Whether they are right, and so no wonder, is for marking to say: students who share a variable
     that holds the same right numbers for everybody are found here, too.
@@ -23,10 +24,9 @@ def sharing(parts: Iterable[Part], handed: Handed) -> dict[str, Peers]:
         if not isinstance(part.answer, Numbers):
             continue
         answers = _arrays(part.variable, part.answer.shape, handed)
-        for one, others in _equal(answers).items():
-            for other in others:
-                theirs = found.setdefault(one, {}).setdefault(other, {})
-                theirs[part.variable] = handed[other][part.variable]
+        for one, other in _first_others(answers).items():
+            theirs = found.setdefault(one, {}).setdefault(other, {})
+            theirs[part.variable] = handed[other][part.variable]
     return {student: dict(peers) for student, peers in found.items()}
 
 
@@ -43,17 +43,29 @@ def _arrays(variable: str, shape: tuple[int, ...], handed: Handed) -> dict[str, 
     return arrays
 
 
-def _equal(arrays: Mapping[str, Any]) -> dict[str, list[str]]:
-    """Students whose array is that of others in every entry, and who those are."""
+def _first_others(arrays: Mapping[str, Any]) -> dict[str, str]:
+    """Of students whose array is that of others in every entry, the first other.
+
+    Equal arrays are looked at once, so that a class that copies takes no longer than any.
+    """
     students = [*arrays]
     if len(students) < 2:
         return {}
-    stacked = np.stack([arrays[student] for student in students])
-    found: dict[str, list[str]] = {}
-    for student, array in zip(students, stacked, strict=True):
-        equal = (np.abs(stacked - array) <= SAME).all(axis=1)
-        others = [other for other, same in zip(students, equal, strict=True) if same]
-        others.remove(student)
-        if others:
-            found[student] = others
+    equal: dict[bytes, list[int]] = {}
+    for place, student in enumerate(students):
+        equal.setdefault(arrays[student].tobytes(), []).append(place)
+    groups = [*equal.values()]
+    rows = np.stack([arrays[students[places[0]]] for places in groups])
+    near = Near(rows, SAME)
+
+    found: dict[str, str] = {}
+    for row, places in zip(rows, groups, strict=True):
+        heads: list[int] = []
+        for group in near.to(row):
+            heads += groups[group][:2]
+        heads.sort()
+        for place in places:
+            others = [head for head in heads if head != place]
+            if others:
+                found[students[place]] = students[others[0]]
     return found

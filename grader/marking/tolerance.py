@@ -81,7 +81,7 @@ def block_scale(
     """What an entry is large against: a length [m] in linear rows, 1 in angular ones, its block."""
     units = answer.unit_of_entries()
     block = np.ones(reference.shape)
-    for unit in np.unique(units):
+    for unit in {*units.ravel().tolist()}:
         mine = units == unit
         if unit in ("m", "m/rad"):
             block[mine] = length

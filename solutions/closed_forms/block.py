@@ -55,6 +55,21 @@ def task_columns(robot: Robot) -> list[Block]:
     return [_shortest(jacobians, robot.task_rows, range(robot.n))]
 
 
+def blocks_without_a_joint(robot: Robot) -> list[Block]:
+    """Square blocks of a robot with one joint more than task rows: without joint 1, 2, and so on.
+
+    Raises:
+        TooLong: As of `task_columns`.
+    """
+    jacobians = _jacobians(robot)
+    joints = range(robot.n)
+    found: list[Block] = []
+    for left_out in joints:
+        columns = [joint for joint in joints if joint != left_out]
+        found.append(_shortest(jacobians, robot.task_rows, columns))
+    return found
+
+
 def _jacobians(robot: Robot) -> list[Block]:
     """Jacobians (6, n) whose task rows all have the same determinant."""
     everywhere = range(robot.n + 2)

@@ -33,7 +33,7 @@ def shortest(given: Polynomial, angles: Sequence[sp.Symbol]) -> sp.Expr:
     return least.expression()
 
 
-def with_whole_squares(form: sp.Expr) -> sp.Expr:
+def with_whole_squares(form: Any) -> Any:
     """The form with sin^2 in place of 1 - cos^2 in brackets, and cos^2 in place of 1 - sin^2."""
     shorter: dict[Any, Any] = {}
     for function in form.atoms(sp.cos, sp.sin):
@@ -41,7 +41,7 @@ def with_whole_squares(form: sp.Expr) -> sp.Expr:
         other = sp.cos(angle) if isinstance(function, sp.sin) else sp.sin(angle)
         shorter[1 - function**2] = other**2
         shorter[function**2 - 1] = -(other**2)
-    return sp.sympify(form.xreplace(shorter))
+    return form.xreplace(shorter)
 
 
 def _with_best_squares(given: Polynomial, angles: Sequence[sp.Symbol]) -> Polynomial:

@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..chain import Array, Chain
+from .quick import quick
 from .rows import BLOCK, direct, half_angle, rows
-from .source import function_of
-from .tracer import Signed, Value
+from .source import SYMBOLS, angle_text, function_of, operation_text, written
 from .walk import Program, Wanted, trace, used_angles
 
 __all__ = [
@@ -33,16 +33,20 @@ DOUBLE = np.dtype(np.float64)
 FEW = 12  # up to so many configurations, plain math one by one is faster than rows
 # angles up to this many radians are added as they are: the sum is rounded to 7e-15
 LARGE = 64.0
-SYMBOLS = {"multiply": "*", "add": "+", "subtract": "-"}
+COMPILES = "numba"  # a chain with this among its programs has them compiled
 
 
 @dataclass(frozen=True)
 class Compiled:
-    """`single` takes n floats; `rows` takes (N, n) and fills (N, outputs)."""
+    """`single` takes n floats; `rows` takes (N, n) and fills (N, outputs).
+
+    `quick`, where numba compiles, takes (n,) and fills an array of that shape; False if it did not.
+    """
 
     shape: tuple[int, ...]
     single: Callable[[list[float]], Array]
     rows: Callable[[Array, Array], None]
+    quick: Callable[[Array, Array], bool] | None = None
 
 
 def evaluate(chain: Chain, wanted: Wanted, q: Array, out: Array | None = None) -> Array:
@@ -73,9 +77,12 @@ def plain(chain: Chain, wanted: Wanted, q: ArrayLike) -> Array | None:
     if type(q) is not np.ndarray or q.dtype is not DOUBLE or q.ndim != 1:
         return None
     functions: Compiled | None = chain.compiled.get(wanted)
-    values = q.tolist()
-    if functions is None or len(values) != len(chain.kinds):
+    if functions is None or len(q) != len(chain.kinds):
         return None
+    if functions.quick is not None:
+        result = np.empty(functions.shape)
+        return result if functions.quick(q, result) else None
+    values = q.tolist()
     if not sum(map(abs, values)) < LARGE:  # also where one is not a number
         return None
     return functions.single(values)
@@ -103,7 +110,8 @@ def compiled(chain: Chain, wanted: Wanted) -> Compiled:
     functions = chain.compiled.get(wanted)
     if functions is None:
         program = trace(chain, wanted)
-        functions = Compiled(program.shape, single(program), rows(program))
+        compiled_one = quick(program, LARGE) if COMPILES in chain.compiled else None
+        functions = Compiled(program.shape, single(program), rows(program), compiled_one)
         # two threads may both compile; setdefault lets one result win
         functions = chain.compiled.setdefault(wanted, functions)
     return functions
@@ -114,13 +122,13 @@ def single(program: Program) -> Callable[[list[float]], Array]:
     joints = ", ".join(f"q{i}" for i in range(len(program.kinds)))
     lines = [f"  {joints}, = q"]
     for index in used_angles(program):
-        lines.append(f"  a = {_angle(program, index)}")
+        lines.append(f"  a = {angle_text(program, index)}")
         lines.append(f"  c{index} = cos(a)")
         lines.append(f"  s{index} = sin(a)")
-    lines += [f"  {s.target} = {s.left} {SYMBOLS[s.operation]} {s.right}" for s in program.steps]
+    lines += [f"  {s.target} = {operation_text(s)}" for s in program.steps]
 
     # packing floats into an empty array costs half of np.array(...).reshape(...)
-    outputs = ", ".join(_written(x) for x in program.outputs)
+    outputs = ", ".join(written(x) for x in program.outputs)
     lines.append(f"  out = empty({program.shape})")
     lines.append(f"  pack(out, 0, {outputs})")
 
@@ -133,22 +141,3 @@ def single(program: Program) -> Callable[[list[float]], Array]:
     pack = struct.Struct(f"{len(program.outputs)}d").pack_into
     names = {"cos": math.cos, "sin": math.sin, "empty": np.empty, "pack": pack}
     return function_of("single(q)", lines, names)
-
-
-def _angle(program: Program, index: int) -> str:
-    """An angle as its source is written, such as "+q0-q1 + 0.3"."""
-    text = ""
-    for sign, joint in program.angles[index]:
-        symbol = "+" if sign > 0 else "-"
-        text += f"{symbol}q{joint}"
-    if program.shifts[index]:
-        text += f" + {program.shifts[index]!r}"
-    return text
-
-
-def _written(value: Value) -> str:
-    if not isinstance(value, Signed):
-        return repr(value)
-    if value.negative:
-        return f"0.0 - {value.name}"  # -x would be -0.0 where x is 0.0
-    return value.name

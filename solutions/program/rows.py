@@ -79,9 +79,9 @@ def rows(program: Program, trig: Trig = half_angle) -> Callable[[Array, Array], 
             kernel.run(block, *views)
             here = result[start : start + m]
             here[...] = moved[:m]
-            # no -0.0 in a result: only where one of these is zero can a product be
-            sines = memory[kernel.angles : 2 * kernel.angles, :m]
-            if not (sines.all() and block[:, slides].all()):
+            # no -0.0 in a result: only where a sine or a slide is zero can a product be
+            cosines = memory[: kernel.angles, :m]
+            if not (cosines.max(initial=-1.0) < 1.0 and (not slides or block[:, slides].all())):
                 here += 0.0
 
     return fill

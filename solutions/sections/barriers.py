@@ -15,7 +15,7 @@ from .stands import Plane, Stand, margins, settled, slopes
 from .visited import CELL
 from .walkers import STEP, Line, followed
 
-__all__ = ["CELL", "STEP", "Line", "barriers"]
+__all__ = ["CELL", "STEP", "Line", "barriers", "clearance"]
 
 SEEDS = 6_000
 FULL_TURN = 2 * np.pi - 1e-9
@@ -44,6 +44,12 @@ def barriers(part: RegionalArm, axes: tuple[str, str], free: tuple[int, ...]) ->
         whole = np.where(turning, low + (whole - low) % (high - low), whole)
         lines.append(Line(held, np.clip(whole, low, high)))
     return lines
+
+
+def clearance(part: RegionalArm, free: tuple[int, ...]) -> float:
+    """How far apart curves are at most that are found as one, as they run the same way [m]."""
+    moving = [i for i in free if _moves(part, i, ("r", "z"))]
+    return 2 * CELL * _length(part, moving)
 
 
 def _moves(part: RegionalArm, joint: int, axes: tuple[str, str]) -> bool:

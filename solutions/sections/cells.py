@@ -70,24 +70,6 @@ def raster(points: Values, sigma: Values, cells: int, margin: int = 1) -> tuple[
     return image.reshape(shape[1], shape[0]), (left, right, bottom, top)
 
 
-def beside_empty(image: Values, extent: Extent, points: Values) -> NDArray[np.bool_]:
-    """Whether a curve (m, 2) has an empty cell on one side or the other, for each point (m,).
-
-    The cells looked at are one and a half cells off.
-    """
-    size = (extent[1] - extent[0]) / image.shape[1]
-    along = np.gradient(points, axis=0)
-    normal = np.column_stack([-along[:, 1], along[:, 0]])
-    normal *= 1.5 * size / np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-300)
-    empty = np.pad(np.isnan(image), 2, constant_values=True)
-    height, width = empty.shape
-    found = np.zeros(len(points), dtype=np.bool_)
-    for side in (points + normal, points - normal):
-        column, row = (np.floor((side - (extent[0], extent[2])) / size).astype(int) + 2).T
-        found |= empty[np.clip(row, 0, height - 1), np.clip(column, 0, width - 1)]
-    return found
-
-
 def _cropped(image: Values, corner: Values, size: float) -> tuple[Values, Extent]:
     """The reached cells with one empty cell around, and their extent."""
     reached = ~np.isnan(image)

@@ -1,0 +1,112 @@
+"""A file that a student handed in, on the disk or within a zip archive."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from ..errors import CourseError
+
+MAX_BYTES = 25 << 20
+MAX_NOTEBOOK = 200 << 20  # outputs included, which are dropped before anything else
+OUTPUTS = ".ipynb"
+OWN_FILE = "a submission takes a file of its own"
+UNSEEN = (".", "~", "__MACOSX", "Thumbs.db", "desktop.ini")
+"""How names begin of what systems leave behind, which nobody handed in."""
+
+
+@dataclass(frozen=True)
+class Upload:
+    """One file.
+
+    Attributes:
+        path: Where it lies; the path of a file in an archive begins with that of the archive.
+        handed_in: The file on the disk, which is the archive for a file in one.
+        size: In bytes, unpacked.
+        read: Gives its bytes; raises CourseError where it cannot be read.
+        changed: When it was changed last, by the archive; empty on the disk.
+        packed: Whether it came in an archive or a folder for the sheet alone.
+        refusal: Why it is not read, whatever it holds; empty where it is.
+    """
+
+    path: Path
+    handed_in: Path
+    size: int
+    read: Callable[[], bytes]
+    changed: tuple[int, ...] = ()
+    packed: bool = False
+    refusal: str = ""
+
+    @property
+    def ending(self) -> str:
+        """The end of its name, in small letters."""
+        return self.path.suffix.lower()
+
+    @property
+    def data(self) -> bytes:
+        """Its bytes.
+
+        Raises:
+            CourseError: it cannot be read, is too large, or refused.
+        """
+        self.raise_refusal()
+        most = MAX_NOTEBOOK if self.ending == OUTPUTS else MAX_BYTES
+        if self.size > most:
+            raise CourseError(
+                f"{self.path} has {self.size >> 20} MB; a submission may have {most >> 20} MB"
+            )
+        return self.read()
+
+    def raise_refusal(self) -> None:
+        """Raises CourseError where it is refused."""
+        if self.refusal:
+            raise CourseError(self.refusal)
+
+
+def on_disk(path: Path, *, packed: bool = False) -> Upload:
+    """The upload that is a file; what is none, or a link, is refused when it is read."""
+    try:
+        size = path.lstat().st_size
+    except OSError:
+        size = 0
+    return Upload(path, path, size, lambda: _bytes_of(path), packed=packed)
+
+
+def refuse_links(path: Path) -> None:
+    """Refuses what leads elsewhere: below submitted/ a link may lead to somebody else's file.
+
+    Raises:
+        CourseError: the file or its folder is a link, or it has a second name.
+    """
+    for place in (path.parent, path):
+        if place.is_symlink():
+            raise CourseError(f"{place} is a link; {OWN_FILE}")
+    if path.is_file() and path.stat().st_nlink > 1:
+        raise CourseError(
+            f"{path} is a link: the same file stands under another name, too; {OWN_FILE}"
+        )
+
+
+def is_unseen(name: str) -> bool:
+    """Whether a name is one of those that systems hide."""
+    return name.startswith(UNSEEN)
+
+
+def visible_names(folder: Path) -> list[str]:
+    """What lies in a folder, sorted, without files that systems hide; nothing where none is."""
+    try:
+        names = sorted(path.name for path in folder.iterdir())
+    except OSError:
+        return []
+    return [name for name in names if not is_unseen(name)]
+
+
+def _bytes_of(path: Path) -> bytes:
+    """What a file holds that is one. Raises CourseError."""
+    if path.is_symlink():  # it may point at somebody else's
+        raise CourseError(f"{path} is a link; {OWN_FILE}")
+    if path.exists() and not path.is_file():  # a pipe would be waited for
+        raise CourseError(f"{path} cannot be read: it is not a file")
+    try:
+        return path.read_bytes()
+    except OSError as error:
+        raise CourseError(f"{path} cannot be read: {error.strerror}") from error

@@ -1,0 +1,87 @@
+"""Several files of a student for one sheet: which of them counts, and which lie beside another."""
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from datetime import datetime
+from pathlib import Path
+from typing import Any
+
+from ..errors import CourseError
+from .submissions import READERS, RUN
+from .upload import Upload
+
+MATLAB = ".m"
+
+
+@dataclass(frozen=True)
+class Ages:
+    """How new the files of a student for a sheet are."""
+
+    folder: Path
+    student: str
+    sheet: str
+    received: Mapping[tuple[str, str, str], datetime]
+
+    def of(self, upload: Upload) -> tuple[Any, ...]:
+        """What is larger for the file that counts.
+
+        A sheet that is as it was handed out holds no answers, and a MATLAB script is not run: these
+        count where there is nothing else. Then comes the time, in whole seconds, since files that
+        are copied together have no order; then what stands first among the readers.
+        """
+        return (
+            not self._is_untouched(upload),
+            upload.ending != MATLAB,
+            self._seconds(upload),
+            upload.changed,
+            -list(READERS).index(upload.ending) if upload.ending in READERS else 0,
+            -len(upload.path.name),
+        )
+
+    def _seconds(self, upload: Upload) -> int:
+        for name in (upload.handed_in.name, f"{upload.handed_in.parent.name}/{upload.path.name}"):
+            time = self.received.get((self.student, self.sheet, name))
+            if time is not None:
+                return int(time.timestamp())
+        try:
+            return int(upload.handed_in.lstat().st_mtime)
+        except OSError:
+            return 0
+
+    def _is_untouched(self, upload: Upload) -> bool:
+        """Whether it is byte by byte what the student was handed out."""
+        released = self.folder / "released" / self.student / f"{self.sheet}{upload.ending}"
+        try:
+            return released.stat().st_size == upload.size and released.read_bytes() == upload.data
+        except (OSError, CourseError):
+            return False
+
+
+def newest(versions: Sequence[Upload], ages: Ages) -> Upload:
+    """The one that counts."""
+    if len(versions) == 1:
+        return versions[0]
+    return max(versions, key=ages.of)
+
+
+def not_beside(meant: Sequence[Upload]) -> list[Upload]:
+    """The files that are no data or module of another one, such as jacobian.csv that is read in."""
+    if len(meant) == 1:
+        return list(meant)
+    runs = [one for one in meant if one.ending in RUN]
+    return [one for one in meant if not any(_takes(run, one) for run in runs)]
+
+
+def _takes(run: Upload, other: Upload) -> bool:
+    """Whether a notebook or script reads or imports a file of the same folder."""
+    if run is other or run.path.parent != other.path.parent or run.ending == other.ending:
+        return False
+    try:
+        data = run.data
+    except CourseError:
+        return False
+    if other.ending not in RUN:
+        return other.path.name.encode() in data
+    imported = rf"\b(?:from|import)\s+{re.escape(other.path.stem)}\b"
+    return re.search(imported.encode(), data) is not None
