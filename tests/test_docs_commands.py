@@ -16,7 +16,7 @@ from kinegrade.course.cli import app
 from kinegrade.course.config import read_course
 from kinegrade.course.demo import fill_in
 from kinegrade.course.gradebook import Gradebook
-from kinegrade.course.marking import mark_sheets
+from kinegrade.course.marking import How, mark_sheets
 from kinegrade.course.new_course import course_text
 from kinegrade.course.settings import Settings
 from kinegrade.course.sheets import exercises_of, generate
@@ -91,7 +91,7 @@ def marked_course(tmp_path_factory):
             path.parent.mkdir(parents=True)
             released = folder / "released" / student / "jacobian.ipynb"
             path.write_bytes(fill_in(released.read_bytes(), code))
-        mark_sheets(course, gradebook, [sheet], permission=ANY)
+        mark_sheets(course, gradebook, [sheet], How(permission=ANY))
     return folder
 
 
