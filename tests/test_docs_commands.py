@@ -16,7 +16,7 @@ from kinegrade.course.cli import app
 from kinegrade.course.config import read_course
 from kinegrade.course.demo import fill_in
 from kinegrade.course.gradebook import Gradebook
-from kinegrade.course.marking import mark_sheets
+from kinegrade.course.marking import How, mark_sheets
 from kinegrade.course.new_course import course_text
 from kinegrade.course.settings import Settings
 from kinegrade.course.sheets import exercises_of, generate
@@ -91,7 +91,7 @@ def marked_course(tmp_path_factory):
             path.parent.mkdir(parents=True)
             released = folder / "released" / student / "jacobian.ipynb"
             path.write_bytes(fill_in(released.read_bytes(), code))
-        mark_sheets(course, gradebook, [sheet], permission=ANY)
+        mark_sheets(course, gradebook, [sheet], How(permission=ANY))
     return folder
 
 
@@ -142,6 +142,17 @@ def test_every_command_of_a_page_takes_its_options_also_where_it_is_not_run(page
                 rest = [*context._protected_args, *context.args]
                 name, command, rest = command.resolve_command(context, rest)
                 context = command.make_context(name, rest, parent=context)
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
+def test_commands_in_the_text_of_a_page_exist(page):
+    text = FENCED.sub("", page.read_text(encoding="utf-8"))
+    for line in re.findall(r"`kinegrade ([a-z]+(?: [a-z]+)?)[^`]*`", text):
+        first, *second = line.split()
+        group = typer.main.get_command(app)
+        assert first in group.commands, line
+        below = getattr(group.commands[first], "commands", {})
+        assert not below or not second or second[0] in below, line
 
 
 def test_few_blocks_are_not_run_and_each_says_why():

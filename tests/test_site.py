@@ -154,7 +154,8 @@ def test_pages_fit_a_phone_and_a_screen_and_show_their_pictures(site, tmp_path):
     harness = site / "look.html"
     harness.write_text(LOOK + "".join(frames), encoding="utf-8")
     told = dom(command, tmp_path, harness, "--allow-file-access-from-files")
-    lines = re.search(r"<pre>(.*?)</pre>", told, re.DOTALL)[1].splitlines()
+    (found,) = re.findall(r"<body><pre>(.*?)</pre>", told, re.DOTALL)
+    lines = found.splitlines()
     assert sorted(lines) == sorted(
         f"{name} {width}: 0 0" for name in names for width in (390, 1280)
     )

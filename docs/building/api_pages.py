@@ -64,10 +64,7 @@ def on_files(files: Files, config: MkDocsConfig) -> Files:
     """Adds the pages, and one that lists them."""
     files.append(File.generated(config, INDEX, content=index()))
     for module in MODULES:
-        inner = ""
-        if module == "exercises.questions":
-            inner = "\n    options: {show_submodules: true}"
-        text = f"# {module}\n\n::: kinegrade.{module}{inner}\n"
+        text = f"# {module}\n\n::: kinegrade.{module}\n"
         files.append(File.generated(config, page(module), content=text))
     return files
 

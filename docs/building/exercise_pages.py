@@ -124,5 +124,5 @@ def _row(pictures: Iterable[str]) -> str:
 
 
 def _picture(file: str, alt: str, caption: str) -> str:
-    image = f'<img src="{file}" alt="{escape(alt)}" loading="lazy">'
+    image = f'<a href="{file}"><img src="{file}" alt="{escape(alt)}" loading="lazy"></a>'
     return f"<figure>{image}<figcaption>{page_text(caption)}</figcaption></figure>"
