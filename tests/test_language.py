@@ -252,7 +252,7 @@ def german(tmp_path):
     return handed_out(tmp_path)
 
 
-def test_a_course_translates_exercises_of_its_own(folder):
+def test_a_course_translates_exercises_of_its_own(german):
     text = (german.folder / "released" / "ada" / "one.ipynb").read_text(encoding="utf-8")
     assert "## 1. Ein Hebel (5 Punkte)" in text
     assert "Die Spitze. Geben Sie 4 Nachkommastellen an." in text
@@ -260,7 +260,7 @@ def test_a_course_translates_exercises_of_its_own(folder):
 
 def test_a_check_speaks_the_language_of_its_sheet(german):
     handout, found = check_file(
-        german / "released" / "ada" / "one.ipynb", None, german.folder / "exercises"
+        german.folder / "released" / "ada" / "one.ipynb", None, german.folder / "exercises"
     )
     assert [remark.text.split(":")[0] for remark in found] == ["nicht beantwortet"] * 2
     assert handout.told() == "Übungsblatt: Sie erfahren alles außer den richtigen Werten."
