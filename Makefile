@@ -4,7 +4,7 @@
 PYTHON ?= python3
 BIN := .venv/bin
 
-.PHONY: demo test validate gallery docs density clean
+.PHONY: demo test validate gallery docs messages density clean
 
 demo: .venv/product
 	$(BIN)/kinegrade demo
@@ -27,6 +27,14 @@ docs: .venv/docs
 
 density: .venv/density
 	$(BIN)/python benchmarks/density.py
+
+# The template of all sentences of the interface, and the German catalogue brought up to it: what has no German is empty.
+messages: .venv/product
+	$(BIN)/pybabel extract -F course/language/babel.cfg --no-default-keywords -k _ -k gettext -k later -k phrase \
+	  -k phrase_count:1,2 --no-location --sort-output -o course/language/interface.pot course
+	$(BIN)/pybabel update --no-fuzzy-matching --ignore-obsolete --omit-header -l de -w 100 \
+	  -i course/language/interface.pot -o course/language/interface.de.po
+	rm course/language/interface.pot
 
 .venv/bin/python:
 	$(PYTHON) -m venv .venv || { rm -rf .venv; echo "python3 3.11 or newer with venv is needed (Debian and Ubuntu: apt install python3-venv)"; exit 1; }

@@ -70,16 +70,20 @@ class Retelling:
         sentences = STOP.split(text)
         told: list[str] = []
         while sentences:
-            for count in range(min(MOST_TOGETHER, len(sentences)), 0, -1):
-                together = " ".join(sentences[:count])
-                found = self._found(together, note)
-                if found is not None or count == 1:
-                    break
-            if found is None and words(together):
-                note(together)
-            told.append(together if found is None else found)
+            count, found = self._longest(sentences, note)
+            told.append(found)
             del sentences[:count]
         return " ".join(told)
+
+    def _longest(self, sentences: list[str], note: Callable[[str], None]) -> tuple[int, str]:
+        """How many sentences from the first on are one in a catalogue, and their translation."""
+        for count in range(min(MOST_TOGETHER, len(sentences)), 0, -1):
+            found = self._found(" ".join(sentences[:count]), note)
+            if found is not None:
+                return count, found
+        if words(sentences[0]):
+            note(sentences[0])
+        return 1, sentences[0]
 
     def _found(self, text: str, note: Callable[[str], None], *, inner: bool = False) -> str | None:
         """One sentence; it may be a clause in a catalogue, which takes a capital and a stop."""
@@ -111,8 +115,9 @@ class Retelling:
         found = self._found(text, note, inner=True)
         if found is not None:
             return found
-        if STOP.search(text):
-            return self._sentences(text, note)
+        if STOP.search(text):  # the stop of the last one may stand behind the place
+            stop = "" if text.endswith((".", "?", "!")) else "."
+            return self._sentences(text + stop, note).removesuffix(stop)
         if len(words(text)) >= CLAUSE:
             note(text)
         return text

@@ -45,7 +45,11 @@ def translated(exercise: Exercise, language: Language, path: Path | None) -> Exe
     if language == ENGLISH:
         return exercise
     if path is None:
-        return replace(exercise, statement=lambda v: _noted(exercise.statement(v)))
+
+        def statement(v: Variant) -> str:
+            return _noted(exercise.statement(v))
+
+        return replace(exercise, statement=statement)
     return _Telling(exercise, retelling(language, (path,))).exercise()
 
 
@@ -67,11 +71,20 @@ class _Telling:
             written,
             title=self._told(written.title),
             objectives=tuple(map(self._told, written.objectives)),
-            statement=lambda v: self._told(written.statement(v)),
+            statement=self._statement,
             parts=tuple(map(self._part, written.parts)),
-            drawings=lambda v: tuple(map(self._drawing, written.drawings(v))),
-            solved_drawings=lambda v: tuple(map(self._drawing, written.solved_drawings(v))),
+            drawings=self._drawings,
+            solved_drawings=self._solved_drawings,
         )
+
+    def _statement(self, v: Variant) -> str:
+        return self._told(self._written.statement(v))
+
+    def _drawings(self, v: Variant) -> tuple[Drawing, ...]:
+        return tuple(map(self._drawing, self._written.drawings(v)))
+
+    def _solved_drawings(self, v: Variant) -> tuple[Drawing, ...]:
+        return tuple(map(self._drawing, self._written.solved_drawings(v)))
 
     def _part(self, part: Part) -> Part:
         return replace(

@@ -55,6 +55,7 @@ WORDS = {
     "student": later("Student"),
     "time": later("Time"),
     "together": later("Together"),
+    "of_variant": later("variant"),
     "variant": later("Variant"),
     "your_numbers": later("Your numbers:"),
 }
