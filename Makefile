@@ -32,7 +32,7 @@ density: .venv/density
 messages: .venv/product
 	$(BIN)/pybabel extract -F course/language/babel.cfg --no-default-keywords -k _ -k gettext -k later -k phrase \
 	  -k phrase_count:1,2 --no-location --sort-output -o course/language/interface.pot course
-	$(BIN)/pybabel update --no-fuzzy-matching --ignore-obsolete --omit-header -l de -w 100 \
+	$(BIN)/pybabel update --no-fuzzy-matching --ignore-obsolete -l de -w 100 \
 	  -i course/language/interface.pot -o course/language/interface.de.po
 	rm course/language/interface.pot
 

@@ -75,7 +75,7 @@ def pairs(path):
 def test_every_sentence_of_the_interface_has_german_and_no_other_stands_there():
     """`make messages` adds what is missing, empty, and takes away what is said no more."""
     listed = {
-        one.id[0] if isinstance(one.id, tuple) else one.id
+        str(one.id[0] if isinstance(one.id, tuple) else one.id)
         for one in catalogue(HERE / "interface.de.po")
     }
     assert listed - {""} == said_by_the_interface()
