@@ -66,6 +66,12 @@ def flip(i, j):
             "Only a sign is wrong: row 1, column 2",
         ),
         (
+            "rrt",
+            "rrt_J",
+            lambda J: J * [1, -1, 1],
+            "Only a sign is wrong: column 2",
+        ),
+        (
             "puma_velocities",
             "puma_velocities_J",
             lambda J: np.round(J, 2),

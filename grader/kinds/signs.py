@@ -13,11 +13,11 @@ MOST_PLACES = 3  # of entries with a wrong sign that are named
 
 
 def said_of_signs(flipped: Mask, wrong: Mask) -> Iterator[Named]:
-    """The name where entries with a reversed sign are all that is wrong, and few.
+    """The name where entries with a reversed sign are all that is wrong, and few or in one column.
 
     `flipped` has the wrong entries that are right with the other sign.
     """
-    few = wrong.sum() <= max(3, wrong.size // 4)
+    few = wrong.sum() <= max(3, wrong.size // 4) or _is_one_column(wrong)
     if not few or not flipped.any() or (flipped != wrong).any():
         return
     if flipped.ndim == 0:
@@ -45,6 +45,11 @@ def said_of_exchanged(agrees: Callable[[Array], bool], own: Array) -> Iterator[N
             if agrees(exchanged):
                 yield Named(f"{line} {i + 1} and {j + 1} are exchanged.", "slip", local=True)
                 return
+
+
+def _is_one_column(wrong: Mask) -> bool:
+    """Whether all that is wrong stands in one of several columns, as when an axis is reversed."""
+    return wrong.ndim == 2 and wrong.shape[1] > 1 and wrong.any(axis=0).sum() == 1
 
 
 def _places(flipped: Mask) -> str:
