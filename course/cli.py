@@ -8,7 +8,7 @@ import io
 import sys
 from pathlib import Path
 from shlex import quote
-from typing import TYPE_CHECKING, Annotated, NoReturn
+from typing import Annotated, NoReturn
 
 import typer
 
@@ -16,14 +16,12 @@ from ..solutions.errors import KinegradeError
 from .complaints import debugging, one_of_each
 from .console import progress, say
 from .exchange_command import exchange
+from .grade_command import grade
 from .gradebook_command import book
 from .marks_command import marks
 from .options import CourseOption, GradebookOption, JsonOption, SheetArguments, opened
 from .plot_command import plot
 from .term_command import term
-
-if TYPE_CHECKING:
-    from .results import Result
 
 app = typer.Typer(
     help="Personal exercise sheets, worked solutions and marking for the robot Jacobian.",
@@ -135,61 +133,7 @@ def generate(
         say(f"{new} new, {len(released) - new} left as they were released.")
 
 
-@app.command()
-def grade(
-    sheets: SheetArguments = None,
-    folder: CourseOption = Path(),
-    place: GradebookOption = "",
-    accept_change: Annotated[
-        bool,
-        typer.Option(
-            "--accept-change", help="Mark by reference answers that changed since the hand-out."
-        ),
-    ] = False,
-    again: Annotated[
-        bool, typer.Option("--again", help="Mark anew what is marked already.")
-    ] = False,
-    accept_medium: Annotated[
-        bool,
-        typer.Option(
-            "--accept-medium", help="Run notebooks without bubblewrap where it does not work."
-        ),
-    ] = False,
-    unsafe: Annotated[
-        bool,
-        typer.Option(
-            "--unsafe",
-            help="Run notebooks without walls where none can be had; the marks say so.",
-        ),
-    ] = False,
-    cluster: Annotated[
-        str,
-        typer.Option(
-            "--cluster",
-            help="Mark on the workers of a Dask scheduler, such as tcp://127.0.0.1:8786.",
-        ),
-    ] = "",
-    as_json: JsonOption = False,
-) -> None:
-    """Mark what was handed in; write grades.csv, feedback and the report."""
-    from ..grader.jail.level import Permission
-    from .marking import How, level_line, mark_sheets, show
-    from .tables import results_json
-
-    with opened(folder, place) as (course, gradebook):
-        chosen = course.sheets(tuple(sheets or ()))
-        how = How(accept_change, again, Permission(accept_medium, unsafe), cluster)
-        marked = mark_sheets(course, gradebook, chosen, how)
-        level = level_line(gradebook.noted_level())
-        if not as_json:
-            show(course, marked, level)
-            return
-        if level:
-            say(level)
-        of_all_sheets: list[Result] = []
-        for _, results in marked:
-            of_all_sheets += results
-        print(results_json(of_all_sheets))
+app.command()(grade)
 
 
 @app.command()

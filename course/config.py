@@ -63,6 +63,17 @@ class Course:
     settings: Settings
     students: tuple[Student, ...]
 
+    def student(self, name: str) -> Student:
+        """Somebody of the roster.
+
+        Raises:
+            CourseError: nobody there has that id.
+        """
+        known = {student.id: student for student in self.students}
+        if name not in known:
+            raise CourseError(f"{name!r} is not in roster.csv{hint(name, known)}")
+        return known[name]
+
     def sheets(self, names: tuple[str, ...] = ()) -> tuple[Sheet, ...]:
         """The named sheets, or all.
 

@@ -1,6 +1,6 @@
 """Marking a class: every submission on its own, every grade one transaction, nothing twice."""
 
-from collections.abc import Callable, Generator, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Generator, Iterable, Mapping, Sequence
 from contextlib import closing
 from dataclasses import replace
 from typing import TYPE_CHECKING
@@ -51,12 +51,14 @@ class SheetMarker:
         place: Place | None = None,
         accept_change: bool = False,
         again: bool = False,
+        only: Collection[str] = (),
     ) -> None:
         """Reads the exercises and the records.
 
         Submissions are marked in `place`, which is left open, else on this machine. With
         `accept_change`, moved references become the recorded ones; with `again`, marked files are
-        marked anew.
+        marked anew. Of students who are not among `only`, if that names any, what is recorded
+        stands.
 
         Raises:
             CourseError: the sheet was handed out, but the gradebook knows nothing of it.
@@ -65,6 +67,7 @@ class SheetMarker:
         self.gradebook = gradebook
         self.sheet = sheet
         self.again = again
+        self._only = only
         self.absent: dict[str, set[str]] = {}  # students by the package that their notebooks miss
         self._own_jail: Jail | None = None
         self._place = place or self._this_machine()
@@ -135,7 +138,11 @@ class SheetMarker:
     def _unmarked(self, step: Callable[[], None]) -> list[Job]:
         """What is to be marked; of all others the result is known."""
         jobs: list[Job] = []
+        if self._only:
+            self._take_recorded(step)
         for student in self.course.students:
+            if student.id in self._done:
+                continue
             found = self._incoming.of(student)
             if isinstance(found, Arrival):
                 jobs.append(job_of(found))
@@ -157,6 +164,16 @@ class SheetMarker:
             step()
         self.gradebook.make_current(counting)
         return todo
+
+    def _take_recorded(self, step: Callable[[], None]) -> None:
+        """What the gradebook has of those who are not marked now."""
+        current = self.gradebook.current(self.sheet.name)
+        for student in self.course.students:
+            if student.id not in self._only:
+                verdicts = tuple(current.get(student.id, ()))
+                reason = "" if verdicts else "nothing marked yet"
+                self._done[student.id] = Result(student, self.sheet.name, verdicts, reason)
+                step()
 
     def _unfinished(self, verdicts: Sequence[Verdict]) -> bool:
         """Whether the grader left something open; what is marked by hand is not its business."""
@@ -193,7 +210,8 @@ class SheetMarker:
         todo: list[Job] = []
         for student in self.course.students:
             own = verdicts[student.id]
-            if (student.id in shared) == marked_for_it(own):
+            left_alone = self._only and student.id not in self._only
+            if left_alone or (student.id in shared) == marked_for_it(own):
                 continue
             found = self._incoming.of(student)
             if isinstance(found, Arrival):

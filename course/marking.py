@@ -45,12 +45,14 @@ class How:
         again: Whether marked files are marked anew.
         permission: How far down the walls around notebooks may go.
         cluster: The address of a Dask scheduler that it is marked by; else here.
+        students: Ids of those whose files are marked; of all where none is named.
     """
 
     accept_change: bool = False
     again: bool = False
     permission: Permission = STRONG
     cluster: str = ""
+    students: tuple[str, ...] = ()
 
 
 def mark_sheets(
@@ -129,6 +131,7 @@ def _marked_in(
                 place=place,
                 accept_change=how.accept_change,
                 again=how.again,
+                only=how.students,
             )
             _renew_solutions(course, gradebook, sheet, marker.accepted)
             marked.append((sheet, marker.results(step)))

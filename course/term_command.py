@@ -14,7 +14,6 @@ from .options import CourseOption, GradebookOption, SheetArguments, opened
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from .config import Course
     from .term.differences import Move
 
 term = typer.Typer(help="What a term brings.", no_args_is_help=True)
@@ -159,7 +158,7 @@ def extend(
     from .times import read_time, time_text
 
     with opened(folder, place) as (course, gradebook):
-        _refuse_stranger(course, student)
+        course.student(student)
         (of,) = course.sheets((sheet,))
         given = Extension()
         if until:
@@ -188,7 +187,7 @@ def excuse(
     from .ledger.term import Extension
 
     with opened(folder, place) as (course, gradebook):
-        _refuse_stranger(course, student)
+        course.student(student)
         course.sheets((sheet,))
         given = Extension(excused=not no_longer)
         gradebook.term.extend(student, sheet, given, Change(marker or user(), reason))
@@ -210,14 +209,6 @@ def oral(
         path, found = write_oral_sheet(course, gradebook, of)
         print(path)  # noqa: T201 - data of the command
         say(f"{len(found.students)} students to talk to; nobody lost a point by it.")
-
-
-def _refuse_stranger(course: "Course", student: str) -> None:
-    from .config import hint
-
-    ids = [one.id for one in course.students]
-    if student not in ids:
-        raise CourseError(f"{student!r} is not in roster.csv{hint(student, ids)}")
 
 
 def _show(found: "Sequence[Move]") -> None:

@@ -1,5 +1,6 @@
 """Deadlines, attempts, extensions, second opinions and publication, each on a small class."""
 
+import json
 import os
 from datetime import UTC, datetime, timedelta
 
@@ -472,6 +473,23 @@ def test_a_sheet_says_until_when_and_what_being_late_costs(tmp_path):
     assert "Work **alone**." in text
     assert "about 45 minutes" in text
     assert rules_text(course.settings.sheet[0]).endswith("counts.")
+
+
+def test_one_student_is_marked_alone_and_the_others_stay_as_they_are(tmp_path, kinegrade):
+    course = timed(tmp_path, "")
+    for student in ("ada", "ben"):
+        give(course, student, wrong(course, student), DEADLINE)
+    before = marked(course)
+    for student in ("ada", "ben"):
+        give(course, student, right_answers(course, student), DEADLINE)
+    at = ("--course", str(tmp_path))
+    ran = kinegrade("grade", "--student", "ada", "--json", *at)
+    assert ran.code == 0, ran.err
+    (alone,) = json.loads(ran.out)
+    assert (alone["student"], alone["points"]) == ("ada", 5)
+    assert recorded(course)["ben"].points == before["ben"].points
+    assert marked(course)["ben"].points == 5
+    assert "'eve' is not in roster.csv" in kinegrade("grade", "--student", "eve", *at).err
 
 
 def test_a_time_that_names_no_zone_is_in_the_one_given():
