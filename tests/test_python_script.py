@@ -67,8 +67,8 @@ def test_python_at_a_sheet_writes_the_script_which_is_marked_and_checked(tmp_pat
     course = handed_out(folder)
     text = (folder / "released" / "ada" / "one.py").read_text(encoding="utf-8")
     heading = json.loads((folder / "released" / "ada" / "one.ipynb").read_bytes())["cells"][0]
-    assert "or answer in `one.py` in its place" in "".join(heading["source"])
-    assert "or answer in `one.ipynb` in its place" in text
+    assert "Or answer in `one.py` in its place" in "".join(heading["source"])
+    assert "Or answer in `one.ipynb` in its place" in text
     assert "run the whole file" in text
 
     for name, value in right_answers(course, "ada").items():

@@ -166,13 +166,25 @@ class Cluster:
         for key, piece, future in in_flight(submit, pieces, most, self._first):
             if future.status in ("cancelled", "lost"):
                 raise self._gone()
-            error = future.exception()
+            error, result = self._fetched(future)
             if isinstance(error, KilledWorker):
                 yield key, piece, LostWorkError(KILLED)
             elif isinstance(error, ClusterError):
                 raise error
             else:
-                yield key, piece, error or received(task, future.result())
+                yield key, piece, error or received(task, result)
+
+    def _fetched(self, future: Any) -> tuple[BaseException | None, Any]:
+        """What a piece of work failed with, or what came of it.
+
+        Raises:
+            ClusterError: it cannot be brought here any more.
+        """
+        try:
+            error = future.exception()
+            return error, None if error else future.result()
+        except (OSError, *CANCELLED) as gone:
+            raise self._gone() from gone
 
     def _first(self, futures: Collection[Any]) -> Collection[Any]:
         """Those that are done, when the first is.

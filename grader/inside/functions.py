@@ -5,7 +5,7 @@ from .absent import package_of
 from .alarms import CellTimeout, limited
 from .failures import failed, stopped
 from .limits import MAX_SAID
-from .values import PENDING, encode_result
+from .values import PENDING, encode_result, numpy_here
 
 
 class Functions:
@@ -80,8 +80,7 @@ class Functions:
 
 def result_of(function, arguments):
     """Result of a function as data; its arguments are its own, for it may change them."""
-    import numpy as np
-
+    np = numpy_here()
     fresh = [arrived(np, argument) for argument in arguments]
     return encode_result(function(*fresh))
 

@@ -1,6 +1,8 @@
 # pyright: reportAttributeAccessIssue=false, reportArgumentType=false
 """A value as data: numbers, nested text, or the reason why it is neither."""
 
+import sys
+
 from .absent import Absent, AbsentError
 from .failures import failed
 from .limits import MAX_CALLS, MAX_ELEMENTS, MAX_ROWS
@@ -57,8 +59,7 @@ def is_array_of_objects(value):
 
 def numbers_of(value):
     """An array as data; an error where it is none."""
-    import numpy as np
-
+    np = numpy_here()
     if value is None:
         return failed(f"not a matrix of numbers: None; {IN_PLACE}")
     try:
@@ -75,6 +76,14 @@ def numbers_of(value):
     imaginary = flat.imag.tolist() if array.dtype.kind == "c" else []
     shape = [int(length) for length in array.shape]
     return {"k": "num", "v": {"shape": shape, "re": flat.real.tolist(), "im": imaginary}}
+
+
+def numpy_here():
+    """The numpy that is loaded: a notebook may have broken the import statement."""
+    np = sys.modules.get("numpy")
+    if np is None:
+        import numpy as np
+    return np
 
 
 def as_array(np, value):
@@ -109,8 +118,7 @@ def encode_asked(value, calls):
 
 def encode_result(value):
     """A result of a call, where True and False are 1 and 0: a function may say yes or no."""
-    import numpy as np
-
+    np = numpy_here()
     try:
         yes_or_no = np.asarray(value).dtype.kind == "b"
     except Exception:
