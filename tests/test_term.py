@@ -240,6 +240,18 @@ def test_a_late_file_after_one_in_time_leaves_that_one_standing(tmp_path):
     assert marked(course)["ada"].points == 5
 
 
+def test_a_newer_file_that_cannot_be_read_waits_and_the_earlier_one_does_not_stand_for_it(tmp_path):
+    course = timed(tmp_path)
+    give(course, "ada", right_answers(course, "ada"), DEADLINE)
+    marked(course)
+    path = tmp_path / "submitted" / "ada" / "one.json"
+    path.rename(tmp_path / "elsewhere.json")
+    path.symlink_to(tmp_path / "elsewhere.json")
+    result = marked(course)["ada"]
+    assert (result.status, result.points) == ("not_graded", None)
+    assert "is a link" in result.reason
+
+
 def test_any_part_takes_a_mark_that_survives_marking_again(tmp_path, kinegrade):
     course = timed(tmp_path, "")
     give(course, "ada", wrong(course, "ada"), DEADLINE)

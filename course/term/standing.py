@@ -59,8 +59,8 @@ class Standing:
         extension = self.extensions.get(student, NOT_EXTENDED)
         verdicts = self.opinions.on(student, result.verdicts)
         made = replace(result, verdicts=verdicts, excused=extension.excused)
-        if not result.verdicts or extension.excused:
-            return made
+        if not result.verdicts or result.reason or extension.excused:
+            return made  # where a file waits to be read, an earlier one does not stand for it
         return self._by_the_clock(made, extension)
 
     def _by_the_clock(self, result: Result, extension: Extension) -> Result:
