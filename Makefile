@@ -1,10 +1,10 @@
-# `make demo` shows the whole path, `make test` proves it, `make validate` proves the exercises, `make gallery` draws every
-# robot into docs/gallery, `make docs` builds the documentation into site/, and `make density` prints how dense the code is.
-# Each builds .venv when it is missing.
+# `make demo` shows the whole path, `make test` proves it, `make slow` proves what takes minutes, `make validate` proves the
+# exercises, `make gallery` draws every robot into docs/gallery, `make docs` builds the documentation into site/, and
+# `make density` prints how dense the code is. Each builds .venv when it is missing.
 PYTHON ?= python3
 BIN := .venv/bin
 
-.PHONY: demo test validate gallery docs messages density clean
+.PHONY: demo test slow validate gallery docs messages density clean
 
 demo: .venv/product
 	$(BIN)/kinegrade demo
@@ -13,7 +13,10 @@ test: .venv/tests
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/basedpyright
-	$(BIN)/pytest -n auto
+	$(BIN)/pytest -n auto -m "not slow"
+
+slow: .venv/tests
+	$(BIN)/pytest -n auto -m slow
 
 validate: .venv/product
 	$(BIN)/kinegrade validate --draws 100
