@@ -15,9 +15,9 @@ from pathlib import Path
 
 import numpy as np
 from kinegrade.course.config import Sheet, Student, read_course
+from kinegrade.course.cores import cores
 from kinegrade.course.drawn import drawn
 from kinegrade.course.gradebook import Gradebook
-from kinegrade.course.cores import cores
 from kinegrade.course.sheet.assignment import Assignment
 from kinegrade.course.sheet.notebook import handout_notebook, solution_notebook
 from kinegrade.course.sheets import generate
