@@ -1,7 +1,9 @@
 """Exercises as a sheet of course.toml has them: its points, decimals, tolerances and parts."""
 
+import json
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import lru_cache
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -37,6 +39,8 @@ def adjusted(exercises: Sequence[Exercise], sheet: Sheet) -> list[Exercise]:
         CourseError: a table names an exercise or a part that is not on the sheet, or all parts of
             an exercise are left out.
     """
+    if not sheet.adjustments():
+        return list(exercises)
     _refuse_strangers(exercises, sheet)
     made = [_adjusted(exercise, sheet) for exercise in exercises]
     if sheet.points is None:
@@ -52,8 +56,13 @@ def adjusted_by(adjustments: Mapping[str, Any], exercises: Iterable[Exercise]) -
         CourseError: as `adjusted`.
         ValueError: the adjustments are damaged.
     """
-    found = list(exercises)
-    return adjusted(found, _sheet(found, adjustments))
+    return list(_kept(json.dumps(adjustments, sort_keys=True), tuple(exercises)))
+
+
+@lru_cache(maxsize=32)
+def _kept(adjustments: str, exercises: tuple[Exercise, ...]) -> tuple[Exercise, ...]:
+    """Made once for a class: what marking keeps of an exercise is kept by the object."""
+    return tuple(adjusted(exercises, _sheet(exercises, json.loads(adjustments))))
 
 
 def _sheet(exercises: Iterable[Exercise], adjustments: Mapping[str, Any]) -> Sheet:
