@@ -3,7 +3,6 @@
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
-from zoneinfo import ZoneInfo
 
 from .config import Course, Sheet
 from .gradebook import Gradebook
@@ -23,8 +22,7 @@ def note_arrivals(
     Raises:
         CourseError: received.csv cannot be read.
     """
-    zone = ZoneInfo(course.settings.timezone)
-    listed = listed_times(course.folder, zone)
+    listed = listed_times(course.folder, course.settings.zone)
     known = gradebook.term.arrivals(sheet.name)
     times: dict[tuple[str, str], datetime] = {}
     for (student, submission), path in files.items():

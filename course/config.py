@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
-from zoneinfo import ZoneInfo
 
 from pydantic import BaseModel, ValidationError
 
@@ -74,6 +73,15 @@ class Course:
             raise CourseError(f"{name!r} is not in roster.csv{hint(name, known)}")
         return known[name]
 
+    def sheet(self, name: str) -> Sheet:
+        """The sheet of that name.
+
+        Raises:
+            CourseError: there is none.
+        """
+        (found,) = self.sheets((name,))
+        return found
+
     def sheets(self, names: tuple[str, ...] = ()) -> tuple[Sheet, ...]:
         """The named sheets, or all.
 
@@ -131,13 +139,12 @@ def read_settings(path: Path) -> Settings:
 
 def _in_zone(settings: Settings) -> Settings:
     """Times of sheets that name no zone are those of the course."""
-    zone = ZoneInfo(settings.timezone)
     sheets: list[Sheet] = []
     for sheet in settings.sheet:
         times = _times(sheet)
         for name, time in times.items():
             if time.tzinfo is None:
-                times[name] = time.replace(tzinfo=zone)
+                times[name] = time.replace(tzinfo=settings.zone)
         sheets.append(sheet.model_copy(update=times))
     return settings.model_copy(update={"sheet": tuple(sheets)})
 

@@ -100,7 +100,7 @@ def handout(
     from .times import time_text
 
     course = read_course(folder)
-    (chosen,) = course.sheets((sheet,))
+    chosen = course.sheet(sheet)
     if chosen.release is not None and chosen.release > datetime.now(UTC):
         say(f"Sheet {sheet} is for {time_text(chosen.release)}; do not hand it out before.")
     place = output or folder / OUTPUT
@@ -137,7 +137,7 @@ def handback(
     from .exchange.marked import read_marked
 
     with opened(folder, place) as (course, gradebook):
-        (chosen,) = course.sheets((sheet,))
+        chosen = course.sheet(sheet)
         way = Way(system, output or folder / OUTPUT, worksheet, download, column, convert)
         for path in hand_back(read_marked(course, gradebook, chosen), way):
             print(path)  # noqa: T201 - data of the command
@@ -164,7 +164,7 @@ def export_gradescope(
     from .exchange.autograder import write_autograder
 
     with opened(folder, place) as (course, gradebook):
-        (chosen,) = course.sheets((sheet,))
+        chosen = course.sheet(sheet)
         path = output or folder / OUTPUT / f"{sheet}-gradescope.zip"
         permission = Permission(accept_medium=accept_medium)
         print(write_autograder(course, gradebook, chosen, path, permission))  # noqa: T201
@@ -186,7 +186,7 @@ def export_junit(
     from .files import write_atomically
 
     with opened(folder, place) as (course, gradebook):
-        (chosen,) = course.sheets((sheet,))
+        chosen = course.sheet(sheet)
         path = output or folder / OUTPUT / f"{sheet}-junit.xml"
         write_atomically(path, junit(read_marked(course, gradebook, chosen)))
         print(path)  # noqa: T201 - data of the command
@@ -206,7 +206,7 @@ def export_classroom(
     from .exchange.marked import read_marked
 
     with opened(folder, place) as (course, gradebook):
-        (chosen,) = course.sheets((sheet,))
+        chosen = course.sheet(sheet)
         target = output or folder / OUTPUT / f"{sheet}-classroom"
         paths = write_template(chosen, target / "template")
         paths += write_results(read_marked(course, gradebook, chosen), target / "results")

@@ -13,7 +13,7 @@ from .ledger import grades, marks
 from .ledger.address import address, without_password
 from .ledger.damage import DamagedError, Damages, loaded
 from .ledger.database import Database
-from .ledger.entries import Change, enter, user
+from .ledger.entries import Change, enter
 from .ledger.grades import Attempt, GradeKey
 from .ledger.history import Event, history
 from .ledger.marks import Differing, Mark
@@ -212,7 +212,7 @@ class Gradebook:
     def save_marks(self, given: Sequence[Mark], *, author: str = "", reason: str = "") -> None:
         """Enters marks, all or none; of the same part, the last one counts."""
         with self._database.writing() as connection:
-            marks.save(connection, given, Change(author or user(), reason))
+            marks.save(connection, given, Change(author, reason))
 
     def differing_marks(self, sheet: str) -> list[Differing]:
         """Answers of a sheet to which several markers gave other points."""

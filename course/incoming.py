@@ -5,7 +5,6 @@ from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
-from zoneinfo import ZoneInfo
 
 from ..exercises.exercise import Exercise
 from ..grader.jail.level import Level
@@ -13,13 +12,12 @@ from .config import Course, CourseError, Sheet, Student
 from .gradebook import GradeKey
 from .grading.place import Place
 from .grading.work import waiting
+from .hand_ins import HandIns
 from .handed_out import HandedOut
 from .record import Record, canonical, digest
 from .results import Result
-from .sheet.handed_in import find_submission, misnamed
 from .sheet.submissions import Submission
 from .sheets import asked_parts
-from .term.received import listed_times
 
 NO_SHEET = "no sheet was generated for this student; `kinegrade generate` adds it"
 
@@ -65,17 +63,14 @@ class Incoming:
         self._handed_out = handed_out
         self._damaged = damaged
         self._place = place
-        self._names = [one.name for one in course.settings.sheet]
-        self._received = listed_times(course.folder, ZoneInfo(course.settings.timezone))
+        self._hand_ins = HandIns(course, sheet)
 
     def of(self, student: Student) -> Arrival | Result:
         """A student's submission, or the reason why none can be marked."""
         if student.id in self._damaged:
             return self.waits(student, self._damaged[student.id])
         try:
-            submission = find_submission(
-                self._course.folder, student.id, self._sheet.name, self._names, self._received
-            )
+            submission = self._hand_ins.of(student.id)
         except CourseError as error:
             return self.waits(student, str(error))
         if submission is None:
@@ -95,7 +90,7 @@ class Incoming:
         return Result(student, self._sheet.name, verdicts, reason=reason)
 
     def _no_submission(self, student: Student) -> str:
-        other = misnamed(self._course.folder, student.id, self._names)
+        other = self._hand_ins.misnamed(student.id)
         if not other:
             return "no submission"
         takes = f"the file takes the name {self._sheet.name}.ipynb"

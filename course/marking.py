@@ -29,7 +29,6 @@ from .results import Result, recorded_results
 from .sheet.handed_in import strangers
 from .sheets import exercises_of, renew_solutions
 from .tables import legend, terminal_table
-from .term.received import FILE as RECEIPTS
 
 STRONG = Permission()
 Marked = list[tuple[Sheet, list[Result]]]
@@ -114,7 +113,7 @@ def _marked_in(
     place: Place, course: Course, gradebook: Gradebook, sheets: Sequence[Sheet], how: How
 ) -> Marked:
     roster = {student.id for student in course.students}
-    for name in strangers(course.folder, {*roster, RECEIPTS}):
+    for name in strangers(course.folder, roster):
         folder = course.folder / "submitted" / name
         say(f"{folder} belongs to nobody of roster.csv and is not marked.")
 

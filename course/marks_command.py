@@ -76,7 +76,7 @@ def set_mark(
 def _chosen(course: "Course", sheet: str | None) -> "Sequence[Sheet]":
     if sheet is None:
         return course.sheets()
-    return course.sheets((sheet,))
+    return (course.sheet(sheet),)
 
 
 @marks.command(

@@ -14,9 +14,9 @@ from .alike import Alike, alike, code_cells, statements
 from .config import Course, CourseError, Sheet
 from .entries import Cell, entry_tables
 from .gradebook import Gradebook
+from .hand_ins import HandIns
 from .pages import template, with_formulas, write_page
 from .same_numbers import same_numbers
-from .sheet.handed_in import find_submission
 from .sheets import asked_parts, exercises_of
 
 
@@ -101,10 +101,11 @@ def _same_answer(part: Part, students: tuple[str, ...], verdict: Verdict) -> Sam
 
 def _written(course: Course, sheet: Sheet) -> dict[str, set[str]]:
     """What each student wrote into the notebook, without what was handed out."""
+    hand_ins = HandIns(course, sheet)
     found: dict[str, set[str]] = {}
     for student in course.students:
         try:
-            submission = find_submission(course.folder, student.id, sheet.name)
+            submission = hand_ins.of(student.id)
         except CourseError:
             continue
         if submission is None:

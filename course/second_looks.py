@@ -13,7 +13,7 @@ from .ledger.copying import copy_ledger
 from .ledger.entries import Change
 from .ledger.term import Acceptance
 from .marking import How, marked_sheets
-from .results import Result, recorded_results, standing
+from .results import Result, recorded_results
 from .sheets import asked_parts, exercises_of
 from .term.anywhere import anywhere
 from .term.differences import Move, moves, today
@@ -54,18 +54,8 @@ def moved_by(
     """Whose marks would be others, were that accepted."""
     plain = today(recorded_results(course, gradebook, sheet))
     accepted = [*gradebook.term.acceptances(sheet.name), acceptance]
-    with_it = standing(course, gradebook, sheet, _as_marked(course, gradebook, sheet), accepted)
+    with_it = recorded_results(course, gradebook, sheet, accepted)
     return moves(plain, today(with_it))
-
-
-def _as_marked(course: Course, gradebook: Gradebook, sheet: Sheet) -> list[Result]:
-    """Results as the grader left them."""
-    current = gradebook.current(sheet.name)
-    results: list[Result] = []
-    for student in course.students:
-        verdicts = tuple(current.get(student.id, ()))
-        results.append(Result(student, sheet.name, verdicts))
-    return results
 
 
 def regrade(

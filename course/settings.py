@@ -199,6 +199,11 @@ class Settings(_Strict):
     timezone: str = "UTC"
     language: Language = ENGLISH
 
+    @property
+    def zone(self) -> ZoneInfo:
+        """The time zone of times that name none."""
+        return ZoneInfo(self.timezone)
+
     @field_validator("timezone")
     @classmethod
     def _known_zone(cls, name: str) -> str:

@@ -51,18 +51,18 @@ def accept(
     """Accept a reading or an answer for everybody, from now on; shows first whom it moves."""
     from dataclasses import replace
 
-    from .ledger.entries import Change, user
+    from .ledger.entries import Change
     from .second_looks import acceptance_like, moved_by
 
     with opened(folder, place) as (course, gradebook):
-        (of,) = course.sheets((sheet,))
+        of = course.sheet(sheet)
         found = replace(
             acceptance_like(course, gradebook, of, part, like), share=share, reason=reason
         )
         what = f"answers of which it is said: {found.text}"
         if found.kind == "answer":
             what = f"the answer {found.text}"
-        change = Change(marker or user(), reason)
+        change = Change(marker, reason)
         if no_longer:
             gradebook.term.accept(found, change, no_longer=True)
             say(f"{part}: no longer accepted are {what}")
@@ -151,21 +151,19 @@ def extend(
     place: GradebookOption = "",
 ) -> None:
     """Give one student another deadline for a sheet."""
-    from zoneinfo import ZoneInfo
-
-    from .ledger.entries import Change, user
+    from .ledger.entries import Change
     from .ledger.term import Extension
     from .times import read_time, time_text
 
     with opened(folder, place) as (course, gradebook):
         course.student(student)
-        (of,) = course.sheets((sheet,))
+        of = course.sheet(sheet)
         given = Extension()
         if until:
             if of.deadline is None and of.closes is None:
                 raise CourseError(f"sheet {sheet} has no deadline that could be extended")
-            given = Extension(read_time(until, ZoneInfo(course.settings.timezone)))
-        gradebook.term.extend(student, sheet, given, Change(marker or user(), reason))
+            given = Extension(read_time(until, course.settings.zone))
+        gradebook.term.extend(student, sheet, given, Change(marker, reason))
         if given.until is None:
             say(f"{student} has the deadline of all for sheet {sheet} again.")
         else:
@@ -183,14 +181,14 @@ def excuse(
     place: GradebookOption = "",
 ) -> None:
     """Leave a sheet out of one student's total."""
-    from .ledger.entries import Change, user
+    from .ledger.entries import Change
     from .ledger.term import Extension
 
     with opened(folder, place) as (course, gradebook):
         course.student(student)
-        course.sheets((sheet,))
+        course.sheet(sheet)
         given = Extension(excused=not no_longer)
-        gradebook.term.extend(student, sheet, given, Change(marker or user(), reason))
+        gradebook.term.extend(student, sheet, given, Change(marker, reason))
         counts = "counts again" if no_longer else "does not count"
         say(f"Sheet {sheet} {counts} for {student}. `kinegrade report` writes the pages with it.")
 
@@ -205,7 +203,7 @@ def oral(
     from .oral import write_oral_sheet
 
     with opened(folder, place) as (course, gradebook):
-        (of,) = course.sheets((sheet,))
+        of = course.sheet(sheet)
         path, found = write_oral_sheet(course, gradebook, of)
         print(path)  # noqa: T201 - data of the command
         say(f"{len(found.students)} students to talk to; nobody lost a point by it.")

@@ -20,12 +20,12 @@ from courses import (
     notebook,
     right_answers,
 )
-from kinegrade.course import incoming
 from kinegrade.course.config import CourseError, read_course
 from kinegrade.course.gradebook import Gradebook
 from kinegrade.course.grading import work
 from kinegrade.course.marker import SheetMarker
 from kinegrade.course.results import recorded_results
+from kinegrade.course.sheet.submissions import READERS
 from kinegrade.course.tables import remark
 
 KILLED = """
@@ -270,7 +270,7 @@ def test_a_failure_while_reading_a_submission_costs_that_submission_only(
 
     put(folder, "ben", b"lever_p\n1,2\n", "one.csv")
     (folder / "submitted" / "ben" / "one.json").unlink()
-    monkeypatch.setitem(incoming.find_submission.__globals__["READERS"], ".csv", fail)
+    monkeypatch.setitem(READERS, ".csv", fail)
     found = graded(folder)
     assert [result.points for result in found.values()] == [5, None, 5]
     assert "MemoryError" in said(found["ben"])
@@ -493,7 +493,7 @@ def test_a_stopped_run_does_not_read_the_rest_of_the_class(folder, monkeypatch):
     handed_out(folder)
     for student, _ in more:
         put(folder, student, {"lever_p": [1, 2]})
-    read, readers = [], incoming.find_submission.__globals__["READERS"]
+    read, readers = [], READERS
     reader = readers[".json"]
 
     def stop(*_):

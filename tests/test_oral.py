@@ -1,5 +1,7 @@
 """What is alike in a class is found and shown to talk about; it costs nobody a point."""
 
+import os
+
 import numpy as np
 import pytest
 from courses import hand_in, handed_out, make_course, notebook, right_answers
@@ -85,6 +87,18 @@ def test_shared_code_is_shown_without_what_was_handed_out(tmp_path, kinegrade):
     page = (tmp_path / "report" / "oral-one.html").read_text(encoding="utf-8")
     assert "first = turn(q[0], [0, 0, 1]) @ tool" in page
     assert "import numpy" not in page
+
+
+def test_the_file_that_is_looked_at_is_the_one_that_is_marked(tmp_path, kinegrade):
+    second = '[[sheet]]\nname = "one-2"\nexercises = ["lever"]\n'
+    course = handed_out(make_course(tmp_path, more=second))
+    for student in ("ada", "ben"):
+        hand_in(course, student, notebook("mine = 1"), "one.ipynb")
+        later = hand_in(course, student, notebook(*OWN), "one-2.ipynb")
+        os.utime(later, (4e9, 4e9))
+    at = ("--course", str(tmp_path))
+    assert "0 students to talk to" in kinegrade("oral", "one", *at).err
+    assert "2 students to talk to" in kinegrade("oral", "one-2", *at).err
 
 
 def test_a_class_without_equals_has_a_page_that_says_so(tmp_path, kinegrade):

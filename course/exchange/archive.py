@@ -1,7 +1,6 @@
 """A download, a zip or a folder, as files; what may hurt is refused, and nothing is unpacked."""
 
 import io
-import re
 import stat
 import zlib
 from collections.abc import Callable, Generator, Iterable, Iterator
@@ -15,15 +14,12 @@ from zipfile import BadZipFile, ZipFile, ZipInfo, is_zipfile
 
 from ..errors import CourseError
 from ..escape import printable
-from ..sheet.upload import MAX_NOTEBOOK
+from ..sheet.archive import DRIVE, ENCRYPTED
+from ..sheet.upload import MAX_NOTEBOOK, is_unseen
 
 MOST_FILES = 50_000  # of a download
 MOST_INNER_FILES = 500  # of a zip that a student handed in
 MOST_INNER_BYTES = 256 << 20  # of all files in it, unpacked
-DRIVE = re.compile("[A-Za-z]:")
-UNSEEN = (".", "~", "__MACOSX", "Thumbs.db", "desktop.ini")
-"""How names begin of what systems leave behind, which nobody handed in."""
-ENCRYPTED = 1
 UNREADABLE = (
     BadZipFile, zlib.error, LZMAError, NotImplementedError, RuntimeError, EOFError, ValueError,
     OSError,
@@ -199,4 +195,4 @@ def _bounded(stream: IO[bytes], place: str) -> bytes:
 
 def _is_unseen(name: str) -> bool:
     parts: Iterable[str] = name.replace("\\", "/").split("/")
-    return any(part != ".." and part.startswith(UNSEEN) for part in parts)
+    return any(part != ".." and is_unseen(part) for part in parts)

@@ -62,7 +62,7 @@ def marked_submission(root: Path) -> dict[str, Any]:
         if (source / "exercises").is_dir():
             copytree(source / "exercises", folder / "exercises")
         course = Course(folder, Settings.model_validate(about["settings"]), (student,))
-        (sheet,) = course.sheets((about["sheet"],))
+        sheet = course.sheet(about["sheet"])
         _hand_in(course, sheet, student, root / "submission")
         with Gradebook(folder / FILE) as gradebook:
             permission = Permission(accept_medium=about["accept_medium"])

@@ -4,7 +4,6 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from datetime import UTC, datetime
 from pathlib import Path, PurePath
-from zoneinfo import ZoneInfo
 
 from ..config import Course
 from ..escape import printable
@@ -99,7 +98,7 @@ class _Taker:
         self._course = course
         self.taken = Taken()
         self.receipts: dict[tuple[str, str], Receipt] = {}
-        for one in read_receipts(course.folder, ZoneInfo(course.settings.timezone)):
+        for one in read_receipts(course.folder, course.settings.zone):
             self.receipts[one.student, one.file] = one
 
     def take(self, claim: Claim) -> None:

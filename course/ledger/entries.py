@@ -1,7 +1,7 @@
 """Entries: when a change was made, by whom and why."""
 
 import getpass
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from datetime import UTC, datetime
 
 from sqlalchemy import Connection, func, select
@@ -20,9 +20,9 @@ def user() -> str:
 
 @dataclass(frozen=True)
 class Change:
-    """Who changes something, by default the user of this process, and why."""
+    """Who changes something, else the user of this process, and why."""
 
-    author: str = field(default_factory=user)
+    author: str = ""
     reason: str = ""
 
 
@@ -35,7 +35,7 @@ def enter(connection: Connection, change: Change) -> int:
     row = {
         "id": newest + 1,
         "at": datetime.now(UTC).isoformat(timespec="milliseconds"),
-        "author": plain(change.author),
+        "author": plain(change.author or user()),
         "reason": plain(change.reason),
     }
     connection.execute(entry.insert().values(**row))

@@ -36,7 +36,7 @@ def moves(before: Iterable[Result], after: Iterable[Result]) -> list[Move]:
     found: list[Move] = []
     for result in after:
         earlier = was.get(result.student.id)
-        if earlier is not None and _differs(earlier, result):
+        if earlier is not None and not earlier.tells_the_same_as(result):
             found.append(Move(earlier, result))
     return found
 
@@ -44,10 +44,6 @@ def moves(before: Iterable[Result], after: Iterable[Result]) -> list[Move]:
 def today(results: Iterable[Result]) -> list[Result]:
     """Results as they are now, whatever was published."""
     return [result.by_now or result for result in results]
-
-
-def _differs(one: Result, other: Result) -> bool:
-    return (one.points, one.status, one.earned) != (other.points, other.status, other.earned)
 
 
 def _worth(move: Move) -> float:

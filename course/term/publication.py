@@ -1,7 +1,6 @@
 """Results as students were told them: kept as JSON, read back, held against those of today."""
 
 import json
-from collections.abc import Sequence
 from dataclasses import asdict, replace
 from typing import Any
 
@@ -38,13 +37,3 @@ def read_result(told: Publication, now: Result) -> Result | None:
         )
     except (KeyError, TypeError, AttributeError):
         return None
-
-
-def differs(told: Result, now: Result) -> bool:
-    """Whether a student would be told something else today: points, or what waits."""
-    return (told.earned, told.points, told.status) != (now.earned, now.points, now.status)
-
-
-def changed(results: Sequence[Result]) -> list[Result]:
-    """The results of today that differ from what was told."""
-    return [result.by_now for result in results if result.by_now is not None]

@@ -90,6 +90,11 @@ class Result:
         """Points by part; None where a part waits for its mark."""
         return {verdict.part: verdict.points for verdict in self.verdicts}
 
+    def tells_the_same_as(self, other: "Result") -> bool:
+        """Whether points, what waits and every part are those of another result."""
+        own = (self.points, self.status, self.earned)
+        return own == (other.points, other.status, other.earned)
+
     @property
     def out_of(self) -> float:
         """Points that could be had."""

@@ -10,7 +10,7 @@ from ..ledger.term import Extension, Publication
 from ..settings import Sheet
 from ..times import IN_TIME, Lateness, lateness, time_text
 from .opinions import Opinions
-from .publication import differs, read_result
+from .publication import read_result
 from .result import Attempts, Result
 
 NOT_EXTENDED = Extension()
@@ -50,9 +50,9 @@ class Standing:
         frozen = read_result(told, now)
         if frozen is None:
             return now
-        if differs(frozen, now):
-            return replace(frozen, by_now=now)
-        return frozen
+        if frozen.tells_the_same_as(now):
+            return frozen
+        return replace(frozen, by_now=now)
 
     def _by_now(self, result: Result) -> Result:
         student = result.student.id
