@@ -1,7 +1,8 @@
-"""Our own code as a hash: what was found out by other code is found out again."""
+"""Our own code as a hash, and what is installed: what was found out by other code is found anew."""
 
 import hashlib
 from functools import cache
+from importlib.metadata import version
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]  # the four packages stand beside each other
@@ -18,3 +19,9 @@ def code_hash() -> str:
                 found.update(path.relative_to(ROOT).as_posix().encode())
                 found.update(path.read_bytes())
     return found.hexdigest()[:32]
+
+
+@cache
+def installed(library: str) -> str:
+    """The version of a library that is there; to look it up takes longer than to hash a page."""
+    return version(library)

@@ -11,6 +11,8 @@ SEEN = "\u00a0\u200c\u200d"  # within names: a space that does not break, and jo
 
 def printable(text: str) -> str:
     """One line without control characters, which a terminal would obey, or halves of characters."""
+    if text.isprintable():
+        return text
     return "".join(_printable(char) for char in text)
 
 

@@ -3,14 +3,13 @@
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import closing
 from dataclasses import dataclass
-from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
 from ..exercises.files.finding import exercise_files
 from ..exercises.files.text import Text, exercise_of, exercise_text
 from .adjusting import adjusted
-from .code import code_hash
+from .code import code_hash, installed
 from .config import Course, Settings
 from .feedback import write_feedback
 from .gradebook import Gradebook
@@ -140,7 +139,7 @@ def _shows(page: Page) -> str:
         "result": unpacked(Result, packed(page.result)),  # 2 points are 2.0 points
         "exercises": [text.hash for text in page.exercises],
         "code": code_hash(),
-        "libraries": [version(name) for name in LIBRARIES],
+        "libraries": [installed(name) for name in LIBRARIES],
         "released": _content(page.released),
     }
     return digest(packed(about))

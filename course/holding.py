@@ -2,11 +2,11 @@
 
 import sys
 from collections.abc import Iterator, Sequence
-from importlib.metadata import version
 from pathlib import Path
 
 from ..exercises.files.finding import exercise_files
 from ..exercises.files.text import exercise_text
+from .code import installed
 from .config import Course
 from .grading.check import Check
 from .grading.place import Place
@@ -97,7 +97,7 @@ def _name(record: Record) -> str:
 
 def _state(rules: str, own: Path) -> str:
     """A hash of what answers follow from besides the numbers: code, libraries, files of data."""
-    libraries = [version(name) for name in ("kinegrade", "numpy", "sympy")]
+    libraries = [installed(name) for name in ("kinegrade", "numpy", "sympy")]
     files: list[tuple[str, int, int]] = []
     for path in sorted(own.rglob("*")):
         if path.suffix != ".py" and path.is_file():

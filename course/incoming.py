@@ -2,12 +2,12 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
 from ..exercises.exercise import Exercise
 from ..grader.jail.level import Level
+from .code import installed
 from .config import Course, CourseError, Sheet, Student
 from .gradebook import GradeKey
 from .grading.place import Place
@@ -106,7 +106,7 @@ class Incoming:
         """A hash of all that a grade follows from besides the submission's bytes."""
         ordered = [records[slug] for slug in sorted(records)]
         followed = (
-            version("kinegrade"),
+            installed("kinegrade"),
             submission.path.suffix,
             self._hashes,
             [(record.attempt, record.numbers, record.answers) for record in ordered],

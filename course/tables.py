@@ -125,8 +125,9 @@ def remark(result: Result, *, public: bool = False) -> str:
 
 
 def results_json(results: Sequence[Result]) -> str:
-    """Everything a script would want."""
-    return json.dumps([_result_json(result) for result in results], indent=2)
+    """Everything a script would want, a line for each result."""
+    lines = [json.dumps(_result_json(result)) for result in results]
+    return "[\n" + ",\n".join(lines) + "\n]"
 
 
 def _result_json(result: Result) -> dict[str, Any]:

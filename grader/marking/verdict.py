@@ -1,6 +1,6 @@
 """What marking a part says: data that feedback, gradebook and report only read."""
 
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from typing import Any, Literal
 
 Status = Literal["correct", "follows", "partly", "incorrect", "missing", "failed", "not_graded"]
@@ -56,7 +56,7 @@ class Verdict:
 
     def to_json(self) -> dict[str, Any]:
         """Plain data for the gradebook."""
-        return asdict(self)
+        return vars(self) | {"findings": [dict(vars(finding)) for finding in self.findings]}
 
     @staticmethod
     def from_json(data: dict[str, Any]) -> "Verdict":
