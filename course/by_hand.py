@@ -7,10 +7,10 @@ from typing import Any
 from ..exercises.answers import Manual
 from ..exercises.exercise import Part, references
 from ..grader.marking.verdict import Verdict
+from .asked import exercises_of
 from .config import Course, CourseError, Sheet, hint
 from .escape import printable_lines
 from .gradebook import Gradebook, Mark
-from .sheets import exercises_of
 from .term.opinions import answer_id
 from .variant_code import read_code, variant_codes
 

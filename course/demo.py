@@ -8,6 +8,7 @@ from typing import Any
 
 from ..exercises.exercise import Numbers, Part, references
 from ..grader.jail.level import ANY
+from .asked import exercises_of
 from .config import Course, CourseError, Sheet, read_course
 from .console import progress
 from .files import write_atomically
@@ -16,7 +17,7 @@ from .habits import HABITS, Answers, Code, Habit, Spoil
 from .marking import How, level_line, mark_sheets, marked_sheets, show
 from .marks import by_hand
 from .secret import FILE
-from .sheets import exercises_of, generate
+from .sheets import generate
 
 __all__ = ["HABITS", "Code", "Habit", "Spoil", "fill_in", "hand_in", "mark_by_hand", "run_demo"]
 SECRET = "a demonstration keeps no secrets: its numbers are the same everywhere"  # noqa: S105

@@ -11,7 +11,6 @@ from ..exercises.files.text import Text, exercise_of, exercise_text
 from .adjusting import adjusted
 from .code import code_hash, installed
 from .config import Course, Settings
-from .feedback import write_feedback
 from .gradebook import Gradebook
 from .grades import SheetResults
 from .grading.overheard import Complaint
@@ -67,6 +66,8 @@ class Written:
 
 def write_page_of(page: Page, _: JailOf) -> Written:
     """Writes one page."""
+    from .feedback import write_feedback  # with templates and figures: most runs write no page
+
     settings = Settings.model_validate(page.settings)
     exercises = adjusted(list(map(exercise_of, page.exercises)), settings.sheet[0])
     course = Course(Path(page.folder), settings, ())

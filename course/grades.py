@@ -7,12 +7,12 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from ..exercises.exercise import Exercise
+from .asked import asked_parts
 from .config import Sheet, Student
 from .escape import for_spreadsheet
 from .language.speech import ENGLISH, Language, speaking
 from .language.writing import number_text
 from .results import Result
-from .sheets import asked_parts
 
 BOM = "\ufeff"
 """Tells a spreadsheet that the file is UTF-8."""

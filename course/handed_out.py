@@ -2,10 +2,10 @@
 
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import Any, get_args
 
 from ..exercises.exercise import Exercise
-from .config import CourseError
+from .config import Course, CourseError, Format, Sheet
 from .gradebook import Gradebook
 from .record import Record, fingerprint
 
@@ -91,3 +91,10 @@ def _accepted(record: Record, exercise: Exercise, gradebook: Gradebook) -> Recor
         ) from error
     gradebook.accept_answers(record, answers, "grade --accept-change")
     return replace(record, answers=answers)
+
+
+def drop_solutions(course: Course, sheet: Sheet, student: str) -> None:
+    """Removes the worked solutions of a student's sheet, which are no longer right."""
+    for suffix in get_args(Format):
+        path = course.folder / "solutions" / student / f"{sheet.name}.{suffix}"
+        path.unlink(missing_ok=True)

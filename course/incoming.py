@@ -7,6 +7,7 @@ from typing import Any
 
 from ..exercises.exercise import Exercise
 from ..grader.jail.level import Level
+from .asked import asked_parts
 from .code import installed
 from .config import Course, CourseError, Sheet, Student
 from .gradebook import GradeKey
@@ -17,7 +18,6 @@ from .handed_out import HandedOut
 from .record import Record, canonical, digest
 from .results import Result
 from .sheet.submissions import Submission
-from .sheets import asked_parts
 
 NO_SHEET = "no sheet was generated for this student; `kinegrade generate` adds it"
 

@@ -10,20 +10,20 @@ from ..grader.jail.jail import Jail
 from ..grader.jail.level import Level, Permission
 from ..grader.marking.verdict import Verdict, not_graded
 from .arrivals import note_arrivals
+from .asked import asked_parts, exercises_of
 from .config import Course, CourseError, Sheet, Student
 from .gradebook import Gradebook, GradeKey
 from .grading.place import Place
 from .grading.processes import ThisMachine
 from .grading.task import MARK
 from .grading.work import Came, Done, failed, waiting
-from .handed_out import HandedOut
+from .handed_out import HandedOut, drop_solutions
 from .holding import Holding
 from .incoming import Arrival, Incoming
 from .jobs import Desk, Job, job_of
 from .owners import Owners
 from .results import UNSAFE_STAMP, Result, standing
 from .same_numbers import marked_for_it, same_numbers, tells
-from .sheets import asked_parts, drop_solutions, exercises_of
 
 if TYPE_CHECKING:
     from pathlib import Path

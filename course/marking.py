@@ -14,6 +14,7 @@ from ..grader.jail.jail import Jail
 from ..grader.jail.level import WALLS, Level, Permission
 from ..grader.jail.packages import not_installed
 from ..solutions.errors import KinegradeError
+from .asked import exercises_of
 from .config import Course, Sheet
 from .console import progress, say
 from .feedback_pages import write_all_feedback
@@ -27,7 +28,6 @@ from .report import write_report
 from .requests import read_requests
 from .results import Result, recorded_results
 from .sheet.handed_in import strangers
-from .sheets import exercises_of, renew_solutions
 from .tables import legend, terminal_table
 
 STRONG = Permission()
@@ -144,6 +144,8 @@ def _renew_solutions(
     """Brings worked solutions up to the answers that were accepted, and says so."""
     if not students:
         return
+    from .sheets import renew_solutions
+
     renewed = renew_solutions(course, gradebook, sheet, students)
     say(
         f"Sheet {sheet.name}: answers of {len(students)} students changed, which was accepted; "

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 
 from ..exercises.exercise import Manual
 from ..grader.marking.verdict import ASIDES, Finding, Verdict
+from .asked import asked_parts
 from .grades import SheetResults
-from .sheets import asked_parts
 from .term.anywhere import anywhere
 from .term.opinions import ACCEPTED
 

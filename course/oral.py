@@ -11,13 +11,13 @@ from typing import Any
 from ..exercises.exercise import Part
 from ..grader.marking.verdict import Verdict
 from .alike import Alike, alike, code_cells, statements
+from .asked import asked_parts, exercises_of
 from .config import Course, CourseError, Sheet
 from .entries import Cell, entry_tables
 from .gradebook import Gradebook
 from .hand_ins import HandIns
 from .pages import template, with_formulas, write_page
 from .same_numbers import same_numbers
-from .sheets import asked_parts, exercises_of
 
 
 @dataclass(frozen=True)

@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 
 from ..exercises.exercise import Exercise
 from ..solutions.robot import Robot
+from .asked import exercises_of
 from .config import Course, CourseError, Sheet, hint
 from .gradebook import Gradebook
-from .sheets import exercises_of
 
 Array = NDArray[np.float64]
 

@@ -3,13 +3,13 @@
 import re
 from pathlib import Path
 
+from .asked import asked_parts, exercises_of
 from .config import Course, Sheet
 from .escape import printable_lines
 from .gradebook import Gradebook
 from .language.speech import later, phrase
 from .ledger.term import Request
 from .sheet.about import REQUEST
-from .sheets import asked_parts, exercises_of
 
 MOST = 20_000  # bytes that are read of a file
 WHOLE = "the whole sheet"

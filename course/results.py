@@ -2,11 +2,11 @@
 
 from collections.abc import Sequence
 
+from .asked import asked_parts, exercises_of
 from .config import Course, Sheet
 from .gradebook import Gradebook
 from .hand_ins import HandIns
 from .ledger.term import Acceptance
-from .sheets import asked_parts, exercises_of
 from .term.opinions import Opinions
 from .term.result import UNSAFE_STAMP, Attempts, Result
 from .term.standing import Standing

@@ -3,7 +3,7 @@
 import hashlib
 import re
 from collections.abc import Iterable
-from functools import lru_cache
+from functools import cache, lru_cache
 from pathlib import Path
 
 from ..exercises.files.neighbours import HOME, is_ours, read_source
@@ -60,6 +60,7 @@ def reached(names: Iterable[str]) -> dict[str, bytes]:
     return found
 
 
+@cache
 def _modules() -> dict[str, Path]:
     files = [*MARKING]
     for package in FOLLOWED:

@@ -7,6 +7,7 @@ from tempfile import TemporaryDirectory
 
 from ..grader.jail.level import Permission
 from ..grader.marking.verdict import ASIDES, Verdict
+from .asked import asked_parts, exercises_of
 from .config import Course, CourseError, Sheet, hint
 from .gradebook import Gradebook
 from .ledger.copying import copy_ledger
@@ -14,7 +15,6 @@ from .ledger.entries import Change
 from .ledger.term import Acceptance
 from .marking import How, marked_sheets
 from .results import Result, recorded_results
-from .sheets import asked_parts, exercises_of
 from .term.anywhere import anywhere
 from .term.differences import Move, moves, today
 from .term.opinions import answer_text

@@ -1,16 +1,16 @@
 """Handing out: what is not drawn yet is drawn, what is released is never touched again."""
 
 from collections import defaultdict
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
-from typing import Any, get_args
+from typing import Any
 
-from ..exercises.exercise import Exercise, Part
-from .adjusting import exercises_on
+from ..exercises.exercise import Exercise
+from .asked import exercises_of
 from .check import read_handout
-from .config import Course, CourseError, Format, Sheet, Student, hint
+from .config import Course, CourseError, Sheet, Student
 from .console import say
 from .gradebook import Gradebook, OvertakenError
 from .holding import Holding
@@ -30,56 +30,6 @@ class Released:
     sheet: str
     path: Path
     new: bool
-
-
-def exercises_of(course: Course, sheet: Sheet) -> list[Exercise]:
-    """The exercises of a sheet, in order.
-
-    Raises:
-        ExerciseError: one is unknown or broken.
-        CourseError: two exercises ask for variables of the same name.
-    """
-    exercises = exercises_on(sheet, course.folder / "exercises")
-    _refuse_equal_names(sheet, exercises)
-    _check_pins(sheet, {exercise.slug: exercise for exercise in exercises})
-    return exercises
-
-
-def asked_parts(exercises: Iterable[Exercise]) -> dict[str, Part]:
-    """All parts that the exercises ask for, by variable, in the order of the sheet."""
-    parts: dict[str, Part] = {}
-    for exercise in exercises:
-        parts |= {part.variable: part for part in exercise.asked}
-    return parts
-
-
-def _refuse_equal_names(sheet: Sheet, exercises: Iterable[Exercise]) -> None:
-    names: list[str] = []
-    for exercise in exercises:
-        names += [part.variable for part in exercise.asked]
-    for name in names:
-        if names.count(name) > 1:
-            raise CourseError(
-                f"sheet {sheet.name}: {name} is asked twice; answers are collected by name"
-            )
-
-
-def _check_pins(sheet: Sheet, exercises: Mapping[str, Exercise]) -> None:
-    """Refuses to pin what is no choice of form of an exercise on the sheet."""
-    for slug, pins in sheet.pinned.items():
-        if slug not in exercises:
-            raise CourseError(
-                f"sheet {sheet.name} pins {slug!r}{hint(slug, exercises)}, "
-                "which is not on the sheet"
-            )
-        structure = exercises[slug].structure
-        for name in pins:
-            if name not in structure:
-                choices = ", ".join(structure) or "none"
-                raise CourseError(
-                    f"sheet {sheet.name} pins {name!r} of {slug}{hint(name, structure)}; "
-                    f"its choices of form are: {choices}"
-                )
 
 
 def generate(
@@ -144,13 +94,6 @@ def renew_solutions(
         write_solutions(order, exercises)
         renewed += 1
     return renewed
-
-
-def drop_solutions(course: Course, sheet: Sheet, student: str) -> None:
-    """Removes the worked solutions of a student's sheet, which are no longer right."""
-    for suffix in get_args(Format):
-        path = course.folder / "solutions" / student / f"{sheet.name}.{suffix}"
-        path.unlink(missing_ok=True)
 
 
 def _order(

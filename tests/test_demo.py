@@ -6,10 +6,10 @@ import sqlite3
 import numpy as np
 import pytest
 from courses import files_of
+from kinegrade.course.asked import exercises_of
 from kinegrade.course.config import CourseError, read_course
 from kinegrade.course.demo import COMMENT, HABITS, SHEETS, Code, run_demo
 from kinegrade.course.drawn import drawn
-from kinegrade.course.sheets import exercises_of
 from kinegrade.exercises.answers import Manual
 from kinegrade.exercises.exercise import references
 from kinegrade.exercises.files.finding import exercise_files, load

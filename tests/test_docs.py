@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from answers import answer_code, raws
 from courses import hand_in, handed_out, make_course, right_answers
+from kinegrade.course.asked import exercises_of
 from kinegrade.course.config import read_course
 from kinegrade.course.demo import fill_in
 from kinegrade.course.gradebook import Gradebook
@@ -16,7 +17,7 @@ from kinegrade.course.grading.place import Here
 from kinegrade.course.marker import SheetMarker
 from kinegrade.course.new_course import write_course
 from kinegrade.course.proof.validate import validate_file
-from kinegrade.course.sheets import exercises_of, generate
+from kinegrade.course.sheets import generate
 from kinegrade.exercises.exercise import references
 from kinegrade.grader.marking.mark import mark
 

@@ -12,6 +12,7 @@ import pytest
 import typer
 from answers import answer_code
 from courses import right_answers, write_secret
+from kinegrade.course.asked import exercises_of
 from kinegrade.course.cli import app
 from kinegrade.course.config import read_course
 from kinegrade.course.demo import fill_in
@@ -19,7 +20,7 @@ from kinegrade.course.gradebook import Gradebook
 from kinegrade.course.marking import How, mark_sheets
 from kinegrade.course.new_course import course_text
 from kinegrade.course.settings import Settings
-from kinegrade.course.sheets import exercises_of, generate
+from kinegrade.course.sheets import generate
 from kinegrade.grader.jail.level import ANY
 
 ROOT = Path(__file__).parents[1]

@@ -2,7 +2,7 @@
 
 import pytest
 from courses import CLASS, files_of, hand_in, handed_out, make_course, right_answers
-from kinegrade.course import feedback_pages
+from kinegrade.course import feedback, feedback_pages
 from kinegrade.course.config import read_course
 from kinegrade.course.grading import processes
 
@@ -19,13 +19,13 @@ def folder(class_of_three, kinegrade):
 @pytest.fixture
 def written(monkeypatch):
     """Students whose page is rendered from now on."""
-    students, real = [], feedback_pages.write_feedback
+    students, real = [], feedback.write_feedback
 
     def counting(course, sheet, exercises, result, records):
         students.append(result.student.id)
         return real(course, sheet, exercises, result, records)
 
-    monkeypatch.setattr(feedback_pages, "write_feedback", counting)
+    monkeypatch.setattr(feedback, "write_feedback", counting)
     return students
 
 

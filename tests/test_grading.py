@@ -316,7 +316,7 @@ def test_parts_whose_reference_moved_wait_until_the_change_is_accepted(folder):
 
 def test_parts_wait_that_moved_though_no_exercise_was_edited(folder, monkeypatch):
     before = graded(folder)
-    monkeypatch.setattr("kinegrade.course.holding.version", lambda _: "another")  # of a library
+    monkeypatch.setattr("kinegrade.course.holding.installed", lambda _: "another")  # of a library
     monkeypatch.setattr("kinegrade.course.grading.check.moved_parts", lambda *_: ["lever_J"])
     assert statuses(graded(folder)["ada"]) == ["correct", "not_graded"]
     monkeypatch.undo()

@@ -67,7 +67,7 @@ def changed_data(course, monkeypatch):
 
 
 def changed_library(course, monkeypatch):
-    monkeypatch.setattr(module, "version", lambda _: "another")
+    monkeypatch.setattr(module, "installed", lambda _: "another")
 
 
 @pytest.mark.parametrize("change", [changed_exercise, changed_data, changed_library])

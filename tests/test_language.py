@@ -12,6 +12,7 @@ import pytest
 from answers import EXERCISES, raw, raws_of, variant_of
 from babel.messages.extract import extract_from_dir
 from courses import handed_out, make_course
+from kinegrade.course.asked import exercises_of
 from kinegrade.course.check import check_file
 from kinegrade.course.config import Sheet, Student
 from kinegrade.course.feedback import write_feedback
@@ -24,7 +25,6 @@ from kinegrade.course.results import Result
 from kinegrade.course.rules import rules_hash
 from kinegrade.course.sheet.assignment import Assignment
 from kinegrade.course.sheet.notebook import handout_notebook, solution_notebook
-from kinegrade.course.sheets import exercises_of
 from kinegrade.course.words import points_text
 from kinegrade.exercises.exercise import references
 from kinegrade.exercises.files.finding import CATALOGUE

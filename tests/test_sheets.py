@@ -10,9 +10,10 @@ import pytest
 from answers import EXERCISES, SLUGS
 from courses import BUNDLED, CLASS, LEVER, enrol, files_of, handed_out, make_course
 from kinegrade.course import release, sheets
+from kinegrade.course.asked import exercises_of
 from kinegrade.course.config import CourseError, read_course
 from kinegrade.course.gradebook import Gradebook
-from kinegrade.course.sheets import exercises_of, generate
+from kinegrade.course.sheets import generate
 from kinegrade.course.variant import canonical, fingerprint
 from kinegrade.exercises.exercise import ExerciseError
 

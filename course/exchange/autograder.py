@@ -11,11 +11,11 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 from ...grader.jail.level import Permission
+from ..asked import exercises_of
 from ..config import Course, Sheet
 from ..errors import CourseError
 from ..files import write_atomically
 from ..gradebook import FILE, Gradebook
-from ..sheets import exercises_of
 from ..variant import Record
 from .packing import packed
 from .wheel import wheel

@@ -16,6 +16,7 @@ from typing import Any
 
 from ...grader.jail.level import Permission
 from ...solutions.errors import KinegradeError
+from ..asked import exercises_of
 from ..config import Course, Settings, Sheet, Student
 from ..errors import CourseError
 from ..files import write_atomically
@@ -23,7 +24,6 @@ from ..gradebook import FILE, Gradebook
 from ..marker import SheetMarker
 from ..marking import this_machine
 from ..results import Result
-from ..sheets import exercises_of
 from .archive import opened_download
 from .autograder import ABOUT
 from .claims import look

@@ -6,6 +6,7 @@ from pathlib import Path
 
 from ...exercises.exercise import Exercise
 from ...grader.marking.verdict import STATUS_WORDS, Verdict
+from ..asked import asked_parts, exercises_of
 from ..config import Course, Sheet, Student
 from ..console import say
 from ..escape import printable
@@ -13,7 +14,6 @@ from ..gradebook import Gradebook
 from ..grades import SheetResults
 from ..results import Result, recorded_results
 from ..sentences import sentence
-from ..sheets import asked_parts, exercises_of
 from ..times import late_text
 
 NOTHING = "nothing marked yet"
