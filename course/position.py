@@ -22,7 +22,7 @@ def position(exercise: Exercise, v: dict[str, Any] | None) -> Markup | None:
     if v is None or exercise.robot is None:
         return None
     for arm, lengths, q in _candidates(exercise, robot(exercise.robot), v):
-        if arm.n >= 2 and _is_drawn(exercise, v, forward(arm.chain(lengths), q)):
+        if arm.n >= 2 and _is_drawn(exercise, v, arm.frames(lengths, q)[-1]):
             from ..grader.figures.own_map import own_map
 
             return Markup(own_map(arm, lengths, q))  # noqa: S704 - its words and numbers are ours

@@ -4,6 +4,7 @@ import math
 import struct
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -43,10 +44,15 @@ class Compiled:
     `quick`, where numba compiles, takes (n,) and fills an array of that shape; False if it did not.
     """
 
+    program: Program
     shape: tuple[int, ...]
     single: Callable[[list[float]], Array]
-    rows: Callable[[Array, Array], None]
     quick: Callable[[Array, Array], bool] | None = None
+
+    @cached_property
+    def rows(self) -> Callable[[Array, Array], None]:
+        """Made when the first batch comes: most chains never see one."""
+        return rows(self.program)
 
 
 def evaluate(chain: Chain, wanted: Wanted, q: Array, out: Array | None = None) -> Array:
@@ -111,7 +117,7 @@ def compiled(chain: Chain, wanted: Wanted) -> Compiled:
     if functions is None:
         program = trace(chain, wanted)
         compiled_one = quick(program, LARGE) if COMPILES in chain.compiled else None
-        functions = Compiled(program.shape, single(program), rows(program), compiled_one)
+        functions = Compiled(program, program.shape, single(program), compiled_one)
         # two threads may both compile; setdefault lets one result win
         functions = chain.compiled.setdefault(wanted, functions)
     return functions
