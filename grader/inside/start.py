@@ -61,6 +61,7 @@ def main(descriptor):
         empty(house.scratch)
         if about["folder"]:  # the other side may be gone, and nobody else remove it
             shutil.rmtree(about["folder"], ignore_errors=True)
+    os._exit(0)  # there is nothing left to end in order, and somebody waits for it
 
 
 def _serve(channel, house):
