@@ -66,15 +66,24 @@ class Mechanism(Protocol):
 class ClosedForm:
     """Frames (4 x 4), tool transform T and Jacobian J (6 x n) of a robot.
 
-    Angles of parallel axes are merged. `frames` are those of Robot.frames. Every symbol is
-    Symbol(name, real=True).
+    Angles of parallel axes are merged. `frames` are those of Robot.frames, `poses` their rotations
+    and origins as polynomials. Every symbol is Symbol(name, real=True).
     """
 
-    frames: tuple[sp.Matrix, ...]
-    T: sp.Matrix
+    poses: tuple[tuple[Rows, Row], ...]
     J: sp.Matrix
     parameters: tuple[sp.Symbol, ...]
     joints: tuple[sp.Symbol, ...]
+
+    @cached_property
+    def frames(self) -> tuple[sp.Matrix, ...]:
+        """Written when they are asked for: the Jacobian alone is wanted more often."""
+        return tuple(_frame(R, p) for R, p in self.poses)
+
+    @property
+    def T(self) -> sp.Matrix:
+        """The tool transform, which is the last frame."""
+        return self.frames[-1]
 
 
 class Turning:
@@ -155,9 +164,6 @@ def closed_form(robot: Mechanism) -> ClosedForm:
     state.follow(robot.tool_steps)
 
     axes = reached[:-1] if robot.convention == "standard" else reached[1:]
-    frames = [_frame(R, p) for R, p in axes]
-    frames.append(_frame(state.rotation, state.p))
-
     columns = list[sp.Matrix]()
     for q, kind, (R, _) in zip(joints, robot.kinds, axes, strict=True):
         linear = _expressions(x.diff(q) for x in state.p)
@@ -165,7 +171,8 @@ def closed_form(robot: Mechanism) -> ClosedForm:
         if kind == "R":
             angular = _expressions(z for _, _, z in R)
         columns.append(sp.Matrix([*linear, *angular]))
-    return ClosedForm(tuple(frames), frames[-1], sp.Matrix.hstack(*columns), parameters, joints)
+    poses = (*axes, (state.rotation, state.p))
+    return ClosedForm(poses, sp.Matrix.hstack(*columns), parameters, joints)
 
 
 def rotation(axis: str, angle: sp.Expr) -> Rows:
