@@ -1,16 +1,13 @@
 """A student's own check of one file: what the sheet's mode allows, from the sheet's numbers."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from pathlib import Path
-from typing import Any, get_args
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..exercises.exercise import Exercise, Function, references
-from ..exercises.files.finding import exercise_files, find
-from ..exercises.files.neighbours import is_ours
-from ..grader.collecting.ask import Ask, Limits
+from ..exercises.exercise import Exercise
 from ..grader.collecting.wire import Raw
 from ..grader.jail.jail import FOR_ONE, Jail
 from ..grader.jail.level import ANY
@@ -20,49 +17,24 @@ from ..grader.marking.verdict import STATUS_WORDS, Verdict
 from ..grader.reading.unreadable import entries_named
 from ..solutions.errors import KinegradeError
 from .adjusting import adjusted_here
-from .config import CourseError, LimitsTable, Mode, PackagesTable, Sheet
-from .drawn import drawn
+from .config import CourseError, Mode
 from .escape import printable
-from .language.speech import ENGLISH, Language, later, phrase, retold, speaking
+from .language.speech import later, phrase, retold, speaking
 from .language.translated import translations
-from .sheet.about import read_about
+from .not_printed import unseen_parts, with_samples
+from .own_exercises import exercise_folders, installed, none_installed
 from .sheet.handed_in import read_handed_in
+from .sheet.handout import Handout, handout_in, read_handout
+
+if TYPE_CHECKING:
+    from ..grader.collecting.ask import Ask
 
 MOST_PLACES = 6  # of wrong entries that are named
-SAMPLES = 12  # draws that show which answers hang on numbers that the sheet does not print
 NOT_PRINTED = later(
     "can be read; whether it is right hangs on what your sheet says in words, "
     "which is not looked at here"
 )
 NOT_INSTALLED = later("an exercise of this course that is not installed here; it is not checked")
-
-TOLD: dict[Mode, str] = {
-    "practice": later("Practice sheet: everything is told but the reference values."),
-    "graded": later(
-        "Graded sheet: this tells whether answers can be read and fit each other, "
-        "not if they are right."
-    ),
-    "exam": later("Exam sheet: this tells whether answers can be read, nothing more."),
-}
-"""What `check` says of a sheet, by its mode."""
-
-
-@dataclass(frozen=True)
-class Handout:
-    """What a handed-out notebook says of itself."""
-
-    sheet: str
-    mode: Mode
-    numbers: Mapping[str, dict[str, Any]]
-    limits: Limits = field(default_factory=Limits)
-    packages: tuple[str, ...] = ()
-    adjustments: Mapping[str, Any] = field(default_factory=dict[str, Any])
-    language: Language = ENGLISH
-
-    def told(self) -> str:
-        """What a check of such a sheet tells, in its language."""
-        with speaking(self.language):
-            return phrase(TOLD[self.mode])
 
 
 def check_file(
@@ -80,16 +52,16 @@ def check_file(
     folders = exercise_folders(path, exercises)
     submission = read_handed_in(path)
     handout = read_handout(sheet) if sheet else handout_in(submission.data, submission.path)
-    installed, missing = _installed(handout, folders)
-    if not installed:
-        raise CourseError(f"{sheet or path}: {_none_installed(handout, folders)}")
-    installed = adjusted_here(installed, handout.adjustments)
+    here, missing = installed(handout.numbers, folders)
+    if not here:
+        raise CourseError(f"{sheet or path}: {none_installed(handout.numbers, folders)}")
+    exercises_here = adjusted_here(here, handout.adjustments)
 
     numbers: dict[str, dict[str, Any]] = {}
-    for exercise in installed:
+    for exercise in exercises_here:
         numbers[exercise.slug] = with_samples(exercise, handout.numbers[exercise.slug])
     asks: list[Ask] = []
-    for exercise in installed:
+    for exercise in exercises_here:
         asks += submission.asks(exercise, numbers[exercise.slug])
     # Whoever checks a file runs code of their own, which they ran in Jupyter a minute ago.
     with Jail(ANY, handout.packages, preload=FOR_ONE) as jail:
@@ -98,20 +70,20 @@ def check_file(
     beside = translations([*handout.numbers], handout.language, *folders)
     with speaking(handout.language, tuple(beside.values())):
         found = [Remark(slug, ok=True, text=phrase(NOT_INSTALLED)) for slug in missing]
-        found += _of_all(path, handout, installed, numbers, raws)
+        found += _of_all(path, handout, exercises_here, numbers, raws)
     return handout, found
 
 
 def _of_all(
     path: Path,
     handout: Handout,
-    installed: Sequence[Exercise],
+    exercises: Sequence[Exercise],
     numbers: Mapping[str, dict[str, Any]],
     raws: Mapping[str, Raw],
 ) -> list[Remark]:
     """Remarks on every exercise that is installed here, in the language that is spoken."""
     found: list[Remark] = []
-    for exercise in installed:
+    for exercise in exercises:
         try:
             found += _of_exercise(handout, exercise, numbers[exercise.slug], raws)
         except (KinegradeError, LookupError, TypeError, ValueError, ArithmeticError) as error:
@@ -129,149 +101,6 @@ def remark_lines(found: Iterable[Remark]) -> Iterator[str]:
         yield f"{mark_of} {remark.part:28} {printable(sentence)}"
         for line in typed:
             yield f"{'':30} {printable(line)}"
-
-
-def exercise_folders(path: Path, exercises: Path | None) -> list[Path]:
-    """Where a course's own exercises are: the folder that is named, else those of `own_folders`.
-
-    Raises:
-        CourseError: what is named is no folder.
-    """
-    if exercises is None:
-        return own_folders(path)
-    if not exercises.is_dir():
-        raise CourseError(
-            f"{exercises} is no folder; --exercises takes the one with the course's exercise files"
-        )
-    return [exercises]
-
-
-def _installed(handout: Handout, folders: Sequence[Path]) -> tuple[list[Exercise], list[str]]:
-    """The sheet's exercises whose files are here, and the names of those whose are not."""
-    files = exercise_files(*folders)
-    installed: list[Exercise] = []
-    missing: list[str] = []
-    for slug in handout.numbers:
-        if slug in files:
-            installed.append(find(slug, files))
-        else:
-            missing.append(slug)
-    return installed, missing
-
-
-def _none_installed(handout: Handout, folders: Sequence[Path]) -> str:
-    looked = "nor is there a folder exercises/"
-    if folders:
-        looked = f"nor in {' or '.join(map(str, folders))}"
-    return (
-        f"none of its exercises is installed here: {', '.join(handout.numbers)}; {looked} "
-        "(--exercises DIR, if you were given exercise files)"
-    )
-
-
-def own_folders(path: Path) -> list[Path]:
-    """Folders of exercise files that this machine's owner made: beside the notebook, and here.
-
-    What lies in a course's submitted/ came from somebody else and is not run.
-    """
-    found: dict[Path, Path] = {}
-    for place in (path.parent, Path()):
-        folder = place / "exercises"
-        real = folder.resolve()
-        if real.is_dir() and not is_ours(real) and not _is_handed_in(place):
-            found[real] = folder
-    return list(found.values())
-
-
-def _is_handed_in(place: Path) -> bool:
-    folder = place.resolve()
-    for outer in (folder, *folder.parents):
-        if outer.name == "submitted" and (outer.parent / "course.toml").exists():
-            return True
-    return False
-
-
-def with_samples(exercise: Exercise, v: dict[str, Any]) -> dict[str, Any]:
-    """The sheet's numbers; for those that the instructor keeps, what some draw gives instead."""
-    if not exercise.hidden:
-        return v
-    sample = drawn(exercise, np.random.default_rng(0))
-    numbers: dict[str, Any] = {}
-    for name in exercise.hidden:
-        if name in sample:
-            numbers[name] = sample[name]
-    return numbers | v
-
-
-def unseen_parts(exercise: Exercise, v: dict[str, Any]) -> set[str]:
-    """Parts whose right answer hangs on numbers that the sheet does not print.
-
-    What a function returns does not: only what it is called with.
-    """
-    missing = [name for name in exercise.hidden if name not in v]
-    if not missing:
-        return set()
-    seen: dict[str, set[str]] = {part.variable: set() for part in exercise.asked}
-    for seed in range(SAMPLES):
-        sample = drawn(exercise, np.random.default_rng(seed))
-        numbers = v | {name: sample[name] for name in missing if name in sample}
-        answers = references(exercise, numbers)
-        for part in exercise.asked:
-            if not isinstance(part.answer, Function):
-                seen[part.variable].add(repr(answers[part.variable]))
-    return {variable for variable, answers in seen.items() if len(answers) > 1}
-
-
-def read_handout(path: Path) -> Handout:
-    """Sheet, mode and numbers from what a notebook or script says of itself.
-
-    Raises:
-        CourseError: it is neither, or that was lost; it says what to do then.
-    """
-    try:
-        data = path.read_bytes()
-    except OSError as error:
-        raise CourseError(f"{path} cannot be read: {error.strerror}") from error
-    return handout_in(data, path)
-
-
-def handout_in(data: bytes, path: Path) -> Handout:
-    """As `read_handout`, of bytes that were read from there."""
-    try:
-        return _handout(read_about(data, path.suffix.lower()))
-    except (ValueError, KeyError, TypeError, RecursionError) as error:
-        raise CourseError(
-            f"{path} does not say which sheet it belongs to (another program may have dropped "
-            "that); add the notebook as it was handed out: "
-            "kinegrade check FILE --sheet HANDED_OUT.ipynb"
-        ) from error
-
-
-def _handout(about: Any) -> Handout:
-    """Raises an error of a type that says little, as all kinds of damage get one sentence."""
-    numbers: dict[str, dict[str, Any]] = {}
-    for slug in about["exercises"]:
-        given = about["numbers"][slug]
-        if not isinstance(given, dict):
-            raise TypeError(slug)
-        numbers[slug] = given
-    mode = about["mode"]
-    if mode not in get_args(Mode):
-        raise ValueError(mode)
-    limits = LimitsTable.model_validate(about.get("limits", {}))
-    packages = PackagesTable.model_validate(about.get("packages", {}))
-    adjustments = Sheet.model_validate(
-        {"name": "sheet", "exercises": tuple(numbers), **about.get("adjusted", {})}
-    ).adjustments()
-    return Handout(
-        str(about["sheet"]),
-        mode,
-        numbers,
-        Limits(**limits.model_dump()),
-        packages.allow,
-        adjustments,
-        about.get("language", ENGLISH),
-    )
 
 
 def _of_exercise(

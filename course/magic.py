@@ -7,8 +7,9 @@ from pathlib import Path
 from typing import Any
 
 from ..solutions.errors import KinegradeError
-from .check import check_file, read_handout, remark_lines
+from .check import check_file, remark_lines
 from .config import CourseError
+from .sheet.handout import read_handout
 
 NAMED_BY_JUPYTER = "JPY_SESSION_NAME"
 NAMED_BY_VSCODE = "__vsc_ipynb_file__"

@@ -11,9 +11,9 @@ from pathlib import Path
 
 from ..exercises.exercise import Exercise
 from ..exercises.files.finding import exercise_files, find
-from .check import exercise_folders
 from .config import CourseError, LimitsTable, PackagesTable, Sheet, Student
 from .files import write_atomically
+from .own_exercises import exercise_folders
 from .sheet.assignment import Assignment
 from .sheet.notebook import handout_notebook, solution_notebook
 from .variant import Record, draw_record

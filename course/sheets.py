@@ -9,7 +9,6 @@ from typing import Any
 
 from ..exercises.exercise import Exercise
 from .asked import exercises_of
-from .check import read_handout
 from .config import Course, CourseError, Sheet, Student
 from .console import say
 from .gradebook import Gradebook, OvertakenError
@@ -18,6 +17,7 @@ from .record import Record, canonical
 from .release import Order, write_all, write_solutions
 from .secret import read_secret
 from .sheet.given import printed
+from .sheet.handout import read_handout
 from .variant import draw_record
 from .variant_code import variant_code
 

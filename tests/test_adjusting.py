@@ -7,10 +7,11 @@ import pytest
 from courses import hand_in, handed_out, make_course, right_answers
 from kinegrade.course.adjusting import adjusted, spread
 from kinegrade.course.asked import exercises_of
-from kinegrade.course.check import check_file, read_handout
+from kinegrade.course.check import check_file
 from kinegrade.course.config import CourseError, Sheet, read_course
 from kinegrade.course.gradebook import Gradebook
 from kinegrade.course.marker import SheetMarker
+from kinegrade.course.sheet.handout import read_handout
 from kinegrade.exercises.exercise import Manual
 from kinegrade.exercises.files.finding import exercise_files, load
 

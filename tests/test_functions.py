@@ -431,7 +431,7 @@ def test_a_call_that_cannot_be_made_costs_nobody_anything(tmp_path, argument, wo
 def test_a_check_goes_on_where_a_call_cannot_be_made(tmp_path, monkeypatch):
     path = tmp_path / "unsent.py"
     path.write_text(UNSENT.replace("ARGUMENT", "None"), encoding="utf-8")
-    monkeypatch.setattr("kinegrade.course.check.exercise_files", lambda: {"unsent": path})
+    monkeypatch.setattr("kinegrade.course.own_exercises.exercise_files", lambda: {"unsent": path})
     for mode, said in (
         ("practice", "not graded yet: Your answer is kept"),
         ("exam", "not checked: unsent_f, call 2"),

@@ -485,7 +485,7 @@ def test_a_package_that_is_absent_is_named_to_the_instructor(class_of_three, kin
 
 
 def test_the_limits_of_a_sheet_travel_with_it_to_the_check(class_of_three):
-    from kinegrade.course.check import read_handout
+    from kinegrade.course.sheet.handout import read_handout
 
     path = class_of_three.folder / "released" / "ada" / "one.ipynb"
     assert read_handout(path).limits == Limits()
