@@ -19,13 +19,13 @@ from pathlib import Path
 from statistics import median
 from threading import Event, Thread
 
-from kinegrade.course.asked import exercises_of
-from kinegrade.course.config import Course, Student, read_course
-from kinegrade.course.demo import fill_in
-from kinegrade.course.files import write_atomically
-from kinegrade.course.gradebook import Gradebook
-from kinegrade.course.habits import HABITS, Code, Habit
-from kinegrade.course.sheets import generate
+from kinegrade.course.commands.demo import fill_in
+from kinegrade.course.commands.habits import HABITS, Code, Habit
+from kinegrade.course.handing_out.generate import generate
+from kinegrade.course.ledger.gradebook import Gradebook
+from kinegrade.course.machine.files import write_atomically
+from kinegrade.course.settings.asked import exercises_of
+from kinegrade.course.settings.config import Course, Student, read_course
 from kinegrade.exercises.exercise import Exercise, Part, references
 
 SIZES = (60, 120)

@@ -17,12 +17,12 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from kinegrade.course.asked import exercises_of
-from kinegrade.course.config import read_course
-from kinegrade.course.demo import fill_in
-from kinegrade.course.gradebook import gradebook_of
-from kinegrade.course.habits import HABITS
-from kinegrade.course.sheets import generate
+from kinegrade.course.commands.demo import fill_in
+from kinegrade.course.commands.habits import HABITS
+from kinegrade.course.handing_out.generate import generate
+from kinegrade.course.ledger.gradebook import gradebook_of
+from kinegrade.course.settings.asked import exercises_of
+from kinegrade.course.settings.config import read_course
 from kinegrade.exercises.exercise import Exercise, references
 
 EXERCISE = Path(__file__).with_name("five_matrices.py")

@@ -14,16 +14,16 @@ from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
-from kinegrade.course.config import Sheet, Student, read_course
-from kinegrade.course.cores import cores
-from kinegrade.course.drawn import drawn
-from kinegrade.course.gradebook import Gradebook
+from kinegrade.course.handing_out.generate import generate
+from kinegrade.course.ledger.gradebook import Gradebook
+from kinegrade.course.machine.cores import cores
+from kinegrade.course.settings.config import Sheet, Student, read_course
 from kinegrade.course.sheet.assignment import Assignment
 from kinegrade.course.sheet.notebook import handout_notebook, solution_notebook
-from kinegrade.course.sheets import generate
 from kinegrade.course.typeset.document import Front, handout_data, solution_data
 from kinegrade.course.typeset.pdf import pdf
-from kinegrade.course.variant import fingerprint
+from kinegrade.course.variants.drawn import drawn
+from kinegrade.course.variants.variant import fingerprint
 from kinegrade.exercises.files.finding import exercise_files, find
 
 EXERCISES = ("three_axis", "rrt", "puma_velocities")

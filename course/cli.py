@@ -13,15 +13,15 @@ from typing import Annotated, NoReturn
 import typer
 
 from ..solutions.errors import KinegradeError
-from .complaints import debugging, one_of_each
-from .console import progress, say
-from .exchange_command import exchange
-from .grade_command import grade
-from .gradebook_command import book
-from .marks_command import marks
-from .options import CourseOption, GradebookOption, JsonOption, SheetArguments, opened
-from .plot_command import plot
-from .term_command import term
+from .commands.exchange import exchange
+from .commands.grade import grade
+from .commands.gradebook import book
+from .commands.marks import marks
+from .commands.options import CourseOption, GradebookOption, JsonOption, SheetArguments, opened
+from .commands.plot import plot
+from .commands.term import term
+from .machine.complaints import debugging, one_of_each
+from .machine.console import progress, say
 
 app = typer.Typer(
     help="Personal exercise sheets, worked solutions and marking for the robot Jacobian.",
@@ -80,7 +80,7 @@ def demo(
     ),
 ) -> None:
     """Build a course of 12 students, hand in what a class would, and mark it."""
-    from .demo import run_demo
+    from .commands.demo import run_demo
 
     run_demo(folder)
 
@@ -101,8 +101,8 @@ def init(
     ] = None,
 ) -> None:
     """Write the files of a new course."""
-    from .new_course import write_course
-    from .next_year import write_next_course
+    from .commands.new_course import write_course
+    from .commands.next_year import write_next_course
 
     for path in write_course(folder) if last is None else write_next_course(folder, last):
         print(path)
@@ -116,7 +116,7 @@ def generate(
     place: GradebookOption = "",
 ) -> None:
     """Draw every student's numbers and write the notebooks that are not there yet."""
-    from .sheets import generate as write_sheets
+    from .handing_out.generate import generate as write_sheets
 
     with opened(folder, place) as (course, gradebook):
         chosen = course.sheets(tuple(sheets or ()))
@@ -154,7 +154,7 @@ def check(
     ] = None,
 ) -> None:
     """Look at one's own answers, as far as the sheet's mode allows; needs no course folder."""
-    from .check import check_file, remark_lines
+    from .student.check import check_file, remark_lines
 
     handout, found = check_file(file, sheet, exercises)
     for line in remark_lines(found):
@@ -184,8 +184,8 @@ def practice(
     ] = None,
 ) -> None:
     """Write a sheet with fresh numbers to practise on; needs no course folder."""
-    from .practice import practice as draw
-    from .practice import write_practice
+    from .student.practice import practice as draw
+    from .student.practice import write_practice
 
     made = draw(exercise, seed, exercises)
     first, *others = write_practice(made, output, solution=solution)
@@ -199,7 +199,7 @@ def practice(
 @app.command()
 def report(folder: CourseOption = Path(), place: GradebookOption = "") -> None:
     """Write grades.csv, feedback and the report again from the gradebook, without marking."""
-    from .marking import write_recorded
+    from .marking.run import write_recorded
 
     with opened(folder, place) as (course, gradebook):
         print(write_recorded(course, gradebook))
@@ -249,7 +249,7 @@ def new(
     folder: CourseOption = Path(),
 ) -> None:
     """Write an exercise file that runs, with comments, into the course's exercises/ folder."""
-    from .new_exercise import write_exercise
+    from .commands.new_exercise import write_exercise
 
     path = write_exercise(name, folder)
     print(path)
@@ -269,7 +269,7 @@ def preview(
 ) -> None:
     """Write sheet, worked solution and the feedback of every known mistake as one page."""
     from ..exercises.files.finding import load
-    from .files import write_atomically
+    from .machine.files import write_atomically
     from .proof.preview import preview_page
     from .proof.validate import chosen
 

@@ -6,11 +6,11 @@ from dataclasses import dataclass
 
 import pytest
 from answers import SLUGS
-from kinegrade.course.asked import exercises_of
 from kinegrade.course.cli import main
-from kinegrade.course.config import Sheet, read_course
-from kinegrade.course.gradebook import Gradebook
-from kinegrade.course.sheets import generate
+from kinegrade.course.handing_out.generate import generate
+from kinegrade.course.ledger.gradebook import Gradebook
+from kinegrade.course.settings.asked import exercises_of
+from kinegrade.course.settings.config import Sheet, read_course
 from kinegrade.exercises.exercise import Exercise, references
 from kinegrade.exercises.files.finding import load
 

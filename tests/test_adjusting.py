@@ -5,13 +5,13 @@ import json
 import numpy as np
 import pytest
 from courses import hand_in, handed_out, make_course, right_answers
-from kinegrade.course.adjusting import adjusted, spread
-from kinegrade.course.asked import exercises_of
-from kinegrade.course.check import check_file
-from kinegrade.course.config import CourseError, Sheet, read_course
-from kinegrade.course.gradebook import Gradebook
-from kinegrade.course.marker import SheetMarker
+from kinegrade.course.ledger.gradebook import Gradebook
+from kinegrade.course.marking.marker import SheetMarker
+from kinegrade.course.settings.adjusting import adjusted, spread
+from kinegrade.course.settings.asked import exercises_of
+from kinegrade.course.settings.config import CourseError, Sheet, read_course
 from kinegrade.course.sheet.handout import read_handout
+from kinegrade.course.student.check import check_file
 from kinegrade.exercises.exercise import Manual
 from kinegrade.exercises.files.finding import exercise_files, load
 

@@ -15,9 +15,9 @@ from courses import (
     notebook,
     right_answers,
 )
-from kinegrade.course.config import read_course
-from kinegrade.course.gradebook import Gradebook
+from kinegrade.course.ledger.gradebook import Gradebook
 from kinegrade.course.ledger.tables import LEDGER
+from kinegrade.course.settings.config import read_course
 from sqlalchemy import select
 
 MANY = [(f"s{i:02}", f"Student {i}") for i in range(12)]

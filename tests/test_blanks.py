@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from answers import EXERCISES, answer_code, kinds_of, variant_of
 from courses import exercise_of, notebook
-from kinegrade.course.demo import fill_in
+from kinegrade.course.commands.demo import fill_in
 from kinegrade.course.sheet.self_check import self_check
 from kinegrade.course.sheet.submissions import Submission
 from kinegrade.exercises.answers import (

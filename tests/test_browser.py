@@ -8,13 +8,13 @@ import pytest
 from answers import EXERCISES, raws_of, variant_of, wrong
 from browser import browser, dom, looked_at
 from courses import make_course, sheet
-from kinegrade.course.config import Student, read_course
-from kinegrade.course.feedback import write_feedback
-from kinegrade.course.grades import SheetResults
+from kinegrade.course.pages.feedback import write_feedback
+from kinegrade.course.pages.report import write_report
 from kinegrade.course.proof.preview import preview_page
-from kinegrade.course.report import write_report
-from kinegrade.course.results import Result
-from kinegrade.course.variant import Record, fingerprint
+from kinegrade.course.results.grades import SheetResults
+from kinegrade.course.results.result import Result
+from kinegrade.course.settings.config import Student, read_course
+from kinegrade.course.variants.variant import Record, fingerprint
 from kinegrade.exercises.exercise import references
 from kinegrade.grader.marking.mark import mark
 from kinegrade.grader.marking.verdict import Finding, Verdict, not_graded
@@ -54,7 +54,7 @@ def feedback(course, slug, *, solved):
 
 def report(course, monkeypatch):
     monkeypatch.setattr(
-        "kinegrade.course.robot_maps._figure",
+        "kinegrade.course.pages.robot_maps._figure",
         lambda _, name: {"file": f"{name}.png", "title": name, "alt": "a map"},
     )
     sign = Finding("Only a sign is wrong: row 1, column 2.")

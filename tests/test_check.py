@@ -9,13 +9,13 @@ import numpy as np
 import pytest
 from answers import EXERCISES, SLUGS, answer_code, flat, part_of, telling, variant_of, wrong_code
 from courses import BUNDLED, handed_out, make_course, notebook
-from kinegrade.course.check import _told, check_file
-from kinegrade.course.config import CourseError
-from kinegrade.course.demo import fill_in
-from kinegrade.course.gradebook import Gradebook
-from kinegrade.course.not_printed import unseen_parts, with_samples
+from kinegrade.course.commands.demo import fill_in
+from kinegrade.course.ledger.gradebook import Gradebook
+from kinegrade.course.settings.config import CourseError
 from kinegrade.course.sheet.given import printed
 from kinegrade.course.sheet.handout import read_handout
+from kinegrade.course.student.check import _told, check_file
+from kinegrade.course.student.not_printed import unseen_parts, with_samples
 from kinegrade.exercises.exercise import Choice, ExerciseError, Function, references
 from kinegrade.grader.marking.own_work import Remark
 from kinegrade.grader.marking.verdict import Finding, Verdict, not_graded

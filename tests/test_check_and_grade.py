@@ -6,8 +6,8 @@ from contextlib import redirect_stdout, suppress
 import numpy as np
 import pytest
 from answers import EXERCISES, SLUGS, raws_of, variant_of
-from kinegrade.course.demo import _code
-from kinegrade.course.habits import HABITS, Code
+from kinegrade.course.commands.demo import _code
+from kinegrade.course.commands.habits import HABITS, Code
 from kinegrade.course.sheet.self_check import self_check
 from kinegrade.exercises.exercise import ExerciseError, references, solve
 from kinegrade.grader.collecting.wire import Raw

@@ -8,7 +8,7 @@ import pytest
 from answers import EXERCISES, variant_of
 from courses import CLASS, LEVER, files_of, hand_in, make_course, notebook, right_answers
 from kinegrade.course import cli
-from kinegrade.course.config import read_course
+from kinegrade.course.settings.config import read_course
 
 COMMANDS = ("demo", "init", "generate", "grade", "check", "report", "plot")
 
@@ -430,7 +430,9 @@ def failing(error):
 def test_a_failure_of_ours_says_so_and_is_shown_in_full_only_on_request(
     kinegrade, tmp_path, monkeypatch
 ):
-    monkeypatch.setattr("kinegrade.course.new_course.write_course", failing(KeyError("oops")))
+    monkeypatch.setattr(
+        "kinegrade.course.commands.new_course.write_course", failing(KeyError("oops"))
+    )
     monkeypatch.delenv("KINEGRADE_DEBUG", raising=False)
     ran = kinegrade("init", tmp_path)
     assert ran.code == 1
@@ -443,14 +445,16 @@ def test_a_failure_of_ours_says_so_and_is_shown_in_full_only_on_request(
 
 def test_a_full_disk_is_one_sentence(kinegrade, tmp_path, monkeypatch):
     monkeypatch.setattr(
-        "kinegrade.course.new_course.write_course",
+        "kinegrade.course.commands.new_course.write_course",
         failing(OSError(28, "No space left on device", "a.toml")),
     )
     assert complaint(kinegrade("init", tmp_path)) == "a.toml: No space left on device"
 
 
 def test_a_stopped_run_says_that_it_can_go_on(kinegrade, tmp_path, monkeypatch):
-    monkeypatch.setattr("kinegrade.course.new_course.write_course", failing(KeyboardInterrupt()))
+    monkeypatch.setattr(
+        "kinegrade.course.commands.new_course.write_course", failing(KeyboardInterrupt())
+    )
     ran = kinegrade("init", tmp_path)
     assert ran.code == 130
     assert "what was done is kept, and the same command goes on from there" in ran.err

@@ -12,10 +12,10 @@ from contextlib import ExitStack, contextmanager
 
 import pytest
 from courses import LEVER, hand_in, handed_out, make_course, notebook, right_answers
-from kinegrade.course.gradebook import Gradebook
 from kinegrade.course.grading import cluster as module
 from kinegrade.course.grading.cluster import Cluster, ClusterError
 from kinegrade.course.grading.task import MARK
+from kinegrade.course.ledger.gradebook import Gradebook
 from kinegrade.grader.jail.level import JailError, Level, Permission
 from test_grading import graded, recorded, said
 

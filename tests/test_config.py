@@ -4,7 +4,7 @@ import re
 
 import pytest
 from courses import make_course
-from kinegrade.course.config import (
+from kinegrade.course.settings.config import (
     CourseError,
     LimitsTable,
     MarkingTable,

@@ -4,7 +4,7 @@ import io
 import re
 import sys
 
-from kinegrade.course.console import progress
+from kinegrade.course.machine.console import progress
 
 
 class Terminal(io.StringIO):

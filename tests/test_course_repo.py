@@ -6,9 +6,9 @@ import shutil
 from pathlib import Path
 
 import pytest
-from kinegrade.course.asked import exercises_of
-from kinegrade.course.config import read_course
-from kinegrade.course.new_course import PRIVATE
+from kinegrade.course.commands.new_course import PRIVATE
+from kinegrade.course.settings.asked import exercises_of
+from kinegrade.course.settings.config import read_course
 from wheels import build, fresh_environment, run
 
 EXAMPLE = Path(__file__).parents[1] / "examples" / "course-repo"

@@ -6,10 +6,10 @@ import sqlite3
 import numpy as np
 import pytest
 from courses import files_of
-from kinegrade.course.asked import exercises_of
-from kinegrade.course.config import CourseError, read_course
-from kinegrade.course.demo import COMMENT, HABITS, SHEETS, Code, run_demo
-from kinegrade.course.drawn import drawn
+from kinegrade.course.commands.demo import COMMENT, HABITS, SHEETS, Code, run_demo
+from kinegrade.course.settings.asked import exercises_of
+from kinegrade.course.settings.config import CourseError, read_course
+from kinegrade.course.variants.drawn import drawn
 from kinegrade.exercises.answers import Manual
 from kinegrade.exercises.exercise import references
 from kinegrade.exercises.files.finding import exercise_files, load
@@ -159,11 +159,13 @@ def test_the_demonstration_leaves_another_course_alone(tmp_path):
 
 
 def test_a_demonstration_killed_while_it_was_prepared_is_prepared_again(tmp_path, monkeypatch):
-    monkeypatch.setattr("kinegrade.course.demo.write_atomically", lambda *_: 1 / 0)
+    monkeypatch.setattr("kinegrade.course.commands.demo.write_atomically", lambda *_: 1 / 0)
     with pytest.raises(ZeroDivisionError):
         run_demo(tmp_path)
     monkeypatch.undo()
-    monkeypatch.setattr("kinegrade.course.demo.generate", lambda *_: pytest.fail("prepared"))
+    monkeypatch.setattr(
+        "kinegrade.course.commands.demo.generate", lambda *_: pytest.fail("prepared")
+    )
     with pytest.raises(pytest.fail.Exception, match="prepared"):
         run_demo(tmp_path)
     assert len(read_course(tmp_path).students) == 12

@@ -9,15 +9,15 @@ import numpy as np
 import pytest
 from answers import answer_code, raws
 from courses import hand_in, handed_out, make_course, right_answers
-from kinegrade.course.asked import exercises_of
-from kinegrade.course.config import read_course
-from kinegrade.course.demo import fill_in
-from kinegrade.course.gradebook import Gradebook
+from kinegrade.course.commands.demo import fill_in
+from kinegrade.course.commands.new_course import write_course
 from kinegrade.course.grading.place import Here
-from kinegrade.course.marker import SheetMarker
-from kinegrade.course.new_course import write_course
+from kinegrade.course.handing_out.generate import generate
+from kinegrade.course.ledger.gradebook import Gradebook
+from kinegrade.course.marking.marker import SheetMarker
 from kinegrade.course.proof.validate import validate_file
-from kinegrade.course.sheets import generate
+from kinegrade.course.settings.asked import exercises_of
+from kinegrade.course.settings.config import read_course
 from kinegrade.exercises.exercise import references
 from kinegrade.grader.marking.mark import mark
 

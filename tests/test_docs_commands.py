@@ -12,15 +12,15 @@ import pytest
 import typer
 from answers import answer_code
 from courses import right_answers, write_secret
-from kinegrade.course.asked import exercises_of
 from kinegrade.course.cli import app
-from kinegrade.course.config import read_course
-from kinegrade.course.demo import fill_in
-from kinegrade.course.gradebook import Gradebook
-from kinegrade.course.marking import How, mark_sheets
-from kinegrade.course.new_course import course_text
-from kinegrade.course.settings import Settings
-from kinegrade.course.sheets import generate
+from kinegrade.course.commands.demo import fill_in
+from kinegrade.course.commands.new_course import course_text
+from kinegrade.course.handing_out.generate import generate
+from kinegrade.course.ledger.gradebook import Gradebook
+from kinegrade.course.marking.run import How, mark_sheets
+from kinegrade.course.settings.asked import exercises_of
+from kinegrade.course.settings.config import read_course
+from kinegrade.course.settings.toml_tables import Settings
 from kinegrade.grader.jail.level import ANY
 
 ROOT = Path(__file__).parents[1]

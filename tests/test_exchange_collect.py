@@ -21,9 +21,9 @@ from downloads import (
     zip_bytes,
     zip_file,
 )
-from kinegrade.course.config import read_course
 from kinegrade.course.exchange import archive
 from kinegrade.course.exchange.moments import moment, zone_named
+from kinegrade.course.settings.config import read_course
 
 ADA = "Ada Lovelace_9001_assignsubmission_file"
 BEN = "Ben Bot_9002_assignsubmission_file"

@@ -11,11 +11,11 @@ import pytest
 import yaml
 from courses import hand_in, handed_out, make_course, notebook, right_answers
 from downloads import sheet_of
-from kinegrade.course.config import read_course
 from kinegrade.course.exchange import autograder_run, classroom_check
 from kinegrade.course.exchange.wheel import wheel
-from kinegrade.course.gradebook import Gradebook
-from kinegrade.course.marking import mark_sheets
+from kinegrade.course.ledger.gradebook import Gradebook
+from kinegrade.course.marking.run import mark_sheets
+from kinegrade.course.settings.config import read_course
 from kinegrade.grader.jail import jail as jails
 from wheels import neighbours
 

@@ -25,8 +25,8 @@ from downloads import (
 )
 from kinegrade.course.exchange import handed_back
 from kinegrade.course.exchange.worksheet import read_worksheet
-from kinegrade.course.gradebook import Gradebook, GradeKey
-from kinegrade.course.marking import mark_sheets
+from kinegrade.course.ledger.gradebook import Gradebook, GradeKey
+from kinegrade.course.marking.run import mark_sheets
 from kinegrade.grader.marking.verdict import Finding, not_graded
 
 ROSTER = """student,name,E-mail

@@ -9,15 +9,15 @@ import numpy as np
 import pytest
 from answers import EXERCISES, SLUGS, part_of, raws, raws_of, telling, variant_of, wrong
 from courses import lever, make_course, sheet
-from kinegrade.course.config import Student, read_course
-from kinegrade.course.feedback import LOST, write_feedback
-from kinegrade.course.gradebook import Mark
-from kinegrade.course.own_sheet import own_questions
-from kinegrade.course.position import position
-from kinegrade.course.results import Result
-from kinegrade.course.sentences import sentence
+from kinegrade.course.ledger.gradebook import Mark
+from kinegrade.course.pages.feedback import LOST, write_feedback
+from kinegrade.course.pages.own_sheet import own_questions
+from kinegrade.course.pages.position import position
+from kinegrade.course.pages.sentences import sentence
+from kinegrade.course.results.result import Result
+from kinegrade.course.settings.config import Student, read_course
 from kinegrade.course.term.opinions import Opinions, answer_id
-from kinegrade.course.variant import Record, fingerprint
+from kinegrade.course.variants.variant import Record, fingerprint
 from kinegrade.exercises.exercise import (
     Choice,
     Conditions,

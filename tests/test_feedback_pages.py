@@ -2,9 +2,9 @@
 
 import pytest
 from courses import CLASS, files_of, hand_in, handed_out, make_course, right_answers
-from kinegrade.course import feedback, feedback_pages
-from kinegrade.course.config import read_course
 from kinegrade.course.grading import processes
+from kinegrade.course.pages import feedback, feedback_pages
+from kinegrade.course.settings.config import read_course
 
 
 @pytest.fixture

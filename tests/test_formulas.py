@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import sympy
-from kinegrade.course.formulas import closed_form, given_number, matrix, number, page_text
+from kinegrade.course.text.formulas import closed_form, given_number, matrix, number, page_text
 from kinegrade.solutions.condition import AllOf, condition_sympy
 from kinegrade.solutions.expression import parse
 

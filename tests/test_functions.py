@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 from answers import answer_code
 from courses import exercise_of, hand_in, handed_out, make_course, notebook
-from kinegrade.course.check import check_file
-from kinegrade.course.config import read_course
-from kinegrade.course.gradebook import Gradebook
-from kinegrade.course.marker import SheetMarker
+from kinegrade.course.ledger.gradebook import Gradebook
+from kinegrade.course.marking.marker import SheetMarker
 from kinegrade.course.proof.validate import validate_file
+from kinegrade.course.settings.config import read_course
 from kinegrade.course.sheet.submissions import Submission
+from kinegrade.course.student.check import check_file
 from kinegrade.exercises.exercise import (
     Function,
     Mistake,
@@ -431,7 +431,9 @@ def test_a_call_that_cannot_be_made_costs_nobody_anything(tmp_path, argument, wo
 def test_a_check_goes_on_where_a_call_cannot_be_made(tmp_path, monkeypatch):
     path = tmp_path / "unsent.py"
     path.write_text(UNSENT.replace("ARGUMENT", "None"), encoding="utf-8")
-    monkeypatch.setattr("kinegrade.course.own_exercises.exercise_files", lambda: {"unsent": path})
+    monkeypatch.setattr(
+        "kinegrade.course.student.own_exercises.exercise_files", lambda: {"unsent": path}
+    )
     for mode, said in (
         ("practice", "not graded yet: Your answer is kept"),
         ("exam", "not checked: unsent_f, call 2"),

@@ -3,7 +3,7 @@
 import re
 
 import pytest
-from kinegrade.course.gallery import WIDTHS, main, write_gallery
+from kinegrade.course.commands.gallery import WIDTHS, main, write_gallery
 from kinegrade.grader.figures.robot_figure import KINDS
 from kinegrade.solutions.robots import ROBOTS
 from markdown_it import MarkdownIt

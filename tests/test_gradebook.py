@@ -7,10 +7,10 @@ from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 
 import pytest
-from kinegrade.course.config import CourseError
-from kinegrade.course.gradebook import Gradebook, GradeKey, Mark, OvertakenError
+from kinegrade.course.ledger.gradebook import Gradebook, GradeKey, Mark, OvertakenError
 from kinegrade.course.ledger.tables import reference
-from kinegrade.course.variant import Record
+from kinegrade.course.settings.config import CourseError
+from kinegrade.course.variants.variant import Record
 from kinegrade.grader.marking.verdict import Finding, Verdict, not_graded
 from sqlalchemy import event, select
 

@@ -5,7 +5,7 @@ import stat
 
 import pytest
 from courses import hand_in, handed_out, make_course, right_answers
-from kinegrade.course.gradebook import Gradebook, Mark
+from kinegrade.course.ledger.gradebook import Gradebook, Mark
 from kinegrade.course.ledger.tables import LEDGER
 from sqlalchemy import select
 

@@ -5,9 +5,9 @@ import io
 
 import pytest
 from courses import lever
-from kinegrade.course.config import Sheet, Student
-from kinegrade.course.grades import BOM, SheetResults, grades_csv, totals
-from kinegrade.course.results import Result
+from kinegrade.course.results.grades import BOM, SheetResults, grades_csv, totals
+from kinegrade.course.results.result import Result
+from kinegrade.course.settings.config import Sheet, Student
 from kinegrade.grader.marking.verdict import Verdict, not_graded
 
 ADA, BEN, CYD = Student("ada", "Ada Lovelace"), Student("ben", "Ben"), Student("cyd", "Cyd")

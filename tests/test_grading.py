@@ -20,13 +20,13 @@ from courses import (
     notebook,
     right_answers,
 )
-from kinegrade.course.config import CourseError, read_course
-from kinegrade.course.gradebook import Gradebook
 from kinegrade.course.grading import work
-from kinegrade.course.marker import SheetMarker
-from kinegrade.course.results import recorded_results
+from kinegrade.course.ledger.gradebook import Gradebook
+from kinegrade.course.marking.marker import SheetMarker
+from kinegrade.course.results.result import recorded_results
+from kinegrade.course.results.tables import remark
+from kinegrade.course.settings.config import CourseError, read_course
 from kinegrade.course.sheet.submissions import READERS
-from kinegrade.course.tables import remark
 
 KILLED = """
 import os, signal, sys
@@ -316,7 +316,9 @@ def test_parts_whose_reference_moved_wait_until_the_change_is_accepted(folder):
 
 def test_parts_wait_that_moved_though_no_exercise_was_edited(folder, monkeypatch):
     before = graded(folder)
-    monkeypatch.setattr("kinegrade.course.holding.installed", lambda _: "another")  # of a library
+    monkeypatch.setattr(
+        "kinegrade.course.grading.holding.installed", lambda _: "another"
+    )  # of a library
     monkeypatch.setattr("kinegrade.course.grading.check.moved_parts", lambda *_: ["lever_J"])
     assert statuses(graded(folder)["ada"]) == ["correct", "not_graded"]
     monkeypatch.undo()
@@ -447,7 +449,7 @@ def test_the_same_wrong_numbers_are_told_on_both_sides_whoever_came_first(
 ):
     monkeypatch.setattr("kinegrade.grader.marking.follow.TELLING", 1)  # a lever has few numbers
     monkeypatch.setattr("kinegrade.grader.marking.sharing.TELLING", 1)
-    monkeypatch.setattr("kinegrade.course.same_numbers.TELLING", 1)
+    monkeypatch.setattr("kinegrade.course.results.same_numbers.TELLING", 1)
     (second,) = {"ada", "ben"} - {first}
     put(folder, first, SAME)
     assert shared_by(graded(folder)[first]) == set()

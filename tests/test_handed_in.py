@@ -9,7 +9,7 @@ from datetime import UTC, datetime
 
 import pytest
 from courses import hand_in, notebook, right_answers
-from kinegrade.course.config import CourseError
+from kinegrade.course.settings.config import CourseError
 from kinegrade.course.sheet.archive import uploads_in
 from kinegrade.course.sheet.file_names import called_after
 from kinegrade.course.sheet.handed_in import find_submission, read_handed_in

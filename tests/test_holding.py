@@ -4,12 +4,12 @@ import os
 
 import pytest
 from courses import CLASS, LEVER, handed_out, make_course
-from kinegrade.course import holding as module
-from kinegrade.course.gradebook import Gradebook
+from kinegrade.course.grading import holding as module
+from kinegrade.course.grading.holding import Holding
 from kinegrade.course.grading.place import Here
 from kinegrade.course.grading.task import CHECK
-from kinegrade.course.holding import Holding
-from kinegrade.course.kept import cache_folder, keep, kept
+from kinegrade.course.ledger.gradebook import Gradebook
+from kinegrade.course.machine.kept import cache_folder, keep, kept
 
 
 class Counting(Here):

@@ -5,11 +5,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 from answers import raws_of, right_raws
-from kinegrade.course.config import Sheet, Student
-from kinegrade.course.drawn import drawn
+from kinegrade.course.settings.config import Sheet, Student
 from kinegrade.course.sheet.assignment import Assignment
 from kinegrade.course.sheet.matlab import starter
 from kinegrade.course.sheet.notebook import notebooks
+from kinegrade.course.variants.drawn import drawn
 from kinegrade.exercises.answers import Manual
 from kinegrade.exercises.exercise import references
 from kinegrade.exercises.files.finding import load

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 from courses import hand_in, handed_out, make_course, right_answers
-from kinegrade.course.roster import SAFE_NAME
+from kinegrade.course.settings.roster import SAFE_NAME
 
 BAD = json.loads((Path(__file__).parent / "data" / "bad_inputs.json").read_text(encoding="utf-8"))
 CONTROLS = [*map(chr, range(32)), "\x7f", *map(chr, range(0x80, 0xA0))]
@@ -50,8 +50,8 @@ def marked(tmp_path_factory):
 @pytest.fixture(scope="module")
 def graded(marked):
     """The course, graded, with marks and pages written."""
-    from kinegrade.course.gradebook import Gradebook
-    from kinegrade.course.marking import mark_sheets
+    from kinegrade.course.ledger.gradebook import Gradebook
+    from kinegrade.course.marking.run import mark_sheets
 
     with Gradebook(marked.folder / "gradebook.sqlite") as gradebook:
         ((_, results),) = mark_sheets(marked, gradebook, marked.settings.sheet)

@@ -5,11 +5,11 @@ import json
 import numpy as np
 import pytest
 from courses import exercise_of, sheet
-from kinegrade.course.config import Student
 from kinegrade.course.proof.validate import validate_file
+from kinegrade.course.settings.config import Student
 from kinegrade.course.sheet.assignment import Assignment
 from kinegrade.course.sheet.notebook import notebooks
-from kinegrade.course.variant import fingerprint
+from kinegrade.course.variants.variant import fingerprint
 from kinegrade.exercises.exercise import Part, TableOf, references
 from kinegrade.exercises.files.finding import load
 from kinegrade.grader.collecting.wire import Raw

@@ -12,20 +12,20 @@ import pytest
 from answers import EXERCISES, raw, raws_of, variant_of
 from babel.messages.extract import extract_from_dir
 from courses import handed_out, make_course
-from kinegrade.course.asked import exercises_of
-from kinegrade.course.check import check_file
-from kinegrade.course.config import Sheet, Student
-from kinegrade.course.feedback import write_feedback
-from kinegrade.course.grades import SheetResults, grades_csv
+from kinegrade.course.grading.rules import rules_hash
 from kinegrade.course.language.catalogues import HERE, catalogue, retelling
 from kinegrade.course.language.speech import phrase, retold, speaking
 from kinegrade.course.language.translated import translated
 from kinegrade.course.language.untold import untold
-from kinegrade.course.results import Result
-from kinegrade.course.rules import rules_hash
+from kinegrade.course.pages.feedback import write_feedback
+from kinegrade.course.results.grades import SheetResults, grades_csv
+from kinegrade.course.results.result import Result
+from kinegrade.course.settings.asked import exercises_of
+from kinegrade.course.settings.config import Sheet, Student
 from kinegrade.course.sheet.assignment import Assignment
 from kinegrade.course.sheet.notebook import handout_notebook, solution_notebook
-from kinegrade.course.words import points_text
+from kinegrade.course.student.check import check_file
+from kinegrade.course.text.words import points_text
 from kinegrade.exercises.exercise import references
 from kinegrade.exercises.files.finding import CATALOGUE
 from kinegrade.grader.diagnosis import columns, known_columns, known_numbers
@@ -40,10 +40,10 @@ KEYWORDS = {"phrase": None, "later": None, "_": None, "gettext": None, "phrase_c
 TEMPLATES = {"trimmed": "true", "newstyle_gettext": "true"}
 METHODS = [
     ("**.py", "python"),
-    ("templates/feedback.html", "jinja2"),
-    ("templates/verdict.html", "jinja2"),
+    ("pages/templates/feedback.html", "jinja2"),
+    ("pages/templates/verdict.html", "jinja2"),
 ]
-OPTIONS = {"templates/feedback.html": TEMPLATES, "templates/verdict.html": TEMPLATES}
+OPTIONS = {"pages/templates/feedback.html": TEMPLATES, "pages/templates/verdict.html": TEMPLATES}
 PLACES = re.compile(r"\{[a-z]\w*\}|%\([a-z_]+\)s")
 UNTOUCHED = re.compile(r"\$[^$]*\$|`[^`]*`|\\[A-Za-z]+")
 

@@ -10,16 +10,16 @@ from pathlib import Path
 import postgres
 import pytest
 from courses import hand_in, handed_out, make_course, right_answers
-from kinegrade.course.config import CourseError, read_course
-from kinegrade.course.gradebook import Gradebook, GradeKey, Mark
+from kinegrade.course.handing_out.generate import generate
 from kinegrade.course.ledger import database
 from kinegrade.course.ledger.address import address, shown, without_password
 from kinegrade.course.ledger.entries import user
+from kinegrade.course.ledger.gradebook import Gradebook, GradeKey, Mark
 from kinegrade.course.ledger.tables import LEDGER, VERSION
-from kinegrade.course.marker import SheetMarker
-from kinegrade.course.results import recorded_results
-from kinegrade.course.sheets import generate
-from kinegrade.course.variant import Record
+from kinegrade.course.marking.marker import SheetMarker
+from kinegrade.course.results.result import recorded_results
+from kinegrade.course.settings.config import CourseError, read_course
+from kinegrade.course.variants.variant import Record
 from sqlalchemy import create_engine, inspect, text
 
 FIRST = Path(__file__).parent / "data" / "gradebook_format_1.sql"
@@ -155,7 +155,7 @@ def test_another_format_is_refused(place, setup, found):
 
 def test_alembic_is_loaded_only_where_there_is_something_to_migrate(tmp_path):
     code = (
-        "import sys; from pathlib import Path; from kinegrade.course.gradebook import Gradebook\n"
+        "import sys; from pathlib import Path; from kinegrade.course.ledger.gradebook import Gradebook\n"
         "for _ in range(2): Gradebook(Path(sys.argv[1])).close()\n"
         "assert 'alembic' not in sys.modules"
     )

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 from courses import make_course
-from kinegrade.course.leftovers import cleared
+from kinegrade.course.machine.leftovers import cleared
 from kinegrade.grader.jail.folders import clear_folders, new_folder, remove
 
 OURS = (

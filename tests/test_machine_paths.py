@@ -5,8 +5,8 @@ import tempfile
 
 import pytest
 from courses import hand_in, handed_out, make_course, notebook
-from kinegrade.course.gradebook import Gradebook
-from kinegrade.course.marking import mark_sheets
+from kinegrade.course.ledger.gradebook import Gradebook
+from kinegrade.course.marking.run import mark_sheets
 from kinegrade.grader.collecting.machine_paths import without_paths
 
 SAID = {

@@ -5,8 +5,8 @@ import json
 import nbformat
 import pytest
 from courses import CLASS, handed_out, make_course
-from kinegrade.course.demo import fill_in
-from kinegrade.course.magic import check
+from kinegrade.course.commands.demo import fill_in
+from kinegrade.course.student.magic import check
 from nbclient import NotebookClient
 
 WHERE = """

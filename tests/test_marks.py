@@ -8,8 +8,8 @@ import pytest
 from courses import CLASS, LEVER, files_of, hand_in, handed_out, make_course, right_answers
 from hypothesis import given
 from hypothesis import strategies as st
-from kinegrade.course.escape import for_spreadsheet, from_spreadsheet, printable_lines
-from kinegrade.course.gradebook import Gradebook
+from kinegrade.course.ledger.gradebook import Gradebook
+from kinegrade.course.text.escape import for_spreadsheet, from_spreadsheet, printable_lines
 
 WHY = """        Part("lever_why", "Why?", 4, Manual(((3, "names the axis"), (1, "says where"))),
              lambda v, _: f"L = {v['L']}"),

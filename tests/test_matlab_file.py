@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from answers import EXERCISES, SLUGS, variant_of
-from kinegrade.course.config import Sheet, Student
+from kinegrade.course.settings.config import Sheet, Student
 from kinegrade.course.sheet.assignment import Assignment
 from kinegrade.course.sheet.matlab import starter
 from kinegrade.course.sheet.matlab_literal import literal

@@ -2,9 +2,8 @@
 
 import pytest
 from courses import lever, sheet
-from kinegrade.course.config import Student
-from kinegrade.course.grades import SheetResults
-from kinegrade.course.mistakes import (
+from kinegrade.course.results.grades import SheetResults
+from kinegrade.course.results.mistakes import (
     UNNAMED,
     absent,
     mistakes,
@@ -12,7 +11,8 @@ from kinegrade.course.mistakes import (
     to_talk_about,
     waiting,
 )
-from kinegrade.course.results import Result
+from kinegrade.course.results.result import Result
+from kinegrade.course.settings.config import Student
 from kinegrade.grader.marking.verdict import ASIDES, Finding, Verdict, not_graded
 
 

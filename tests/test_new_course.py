@@ -4,9 +4,9 @@ import os
 
 import pytest
 from courses import SECRET, handed_out, make_course, write_secret
-from kinegrade.course.config import CourseError, read_course
-from kinegrade.course.new_course import PRIVATE, write_course
-from kinegrade.course.secret import read_secret
+from kinegrade.course.commands.new_course import PRIVATE, write_course
+from kinegrade.course.settings.config import CourseError, read_course
+from kinegrade.course.variants.secret import read_secret
 
 
 def secret_of(folder):
@@ -62,7 +62,7 @@ def test_a_roster_and_a_secret_that_are_there_are_kept_by_init(tmp_path):
 
 
 def test_an_init_that_was_killed_before_its_end_can_be_repeated(tmp_path, monkeypatch):
-    monkeypatch.setattr("kinegrade.course.secret.write_atomically", lambda *_, **__: 1 / 0)
+    monkeypatch.setattr("kinegrade.course.variants.secret.write_atomically", lambda *_, **__: 1 / 0)
     with pytest.raises(ZeroDivisionError):
         write_course(tmp_path / "course")
     monkeypatch.undo()

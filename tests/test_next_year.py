@@ -4,9 +4,9 @@ import os
 
 import pytest
 from courses import LEVER, hand_in, handed_out, make_course, right_answers
-from kinegrade.course.config import CourseError, read_course
-from kinegrade.course.next_year import write_next_course
-from kinegrade.course.secret import read_secret
+from kinegrade.course.commands.next_year import write_next_course
+from kinegrade.course.settings.config import CourseError, read_course
+from kinegrade.course.variants.secret import read_secret
 
 MORE = """show_solutions = true  # since December
 pinned.lever.x = 1  # 2026-11-01
@@ -68,7 +68,7 @@ def test_the_secret_is_a_new_one_of_its_owner_alone(last, tmp_path):
 
 
 def test_what_is_of_last_year_alone_is_commented_out_and_named(last, tmp_path, monkeypatch, capsys):
-    monkeypatch.setattr("kinegrade.course.next_year.read_settings", lambda _: None)
+    monkeypatch.setattr("kinegrade.course.commands.next_year.read_settings", lambda _: None)
     dates = 'deadline = 2026-11-23T23:59:00\nrelease = "2026-11-01"\ncloses=2026-12-01\n'
     extra = "extended = { ada = 2026-12-02 }\nnote = 'not 2026-01-01'\n"
     text = (last / "course.toml").read_text(encoding="utf-8")
@@ -102,7 +102,7 @@ def test_a_link_among_the_exercises_is_not_followed(last, tmp_path, capsys):
 
 
 def test_a_date_that_is_no_line_of_its_own_is_refused_with_a_sentence(last, tmp_path, monkeypatch):
-    monkeypatch.setattr("kinegrade.course.next_year.read_settings", lambda _: None)
+    monkeypatch.setattr("kinegrade.course.commands.next_year.read_settings", lambda _: None)
     with (last / "course.toml").open("a", encoding="utf-8") as file:
         file.write("x = [\n 2026-11-01,\n 3 ]\ny = { a = 1,\n deadline = 2026-11-01 }\n")
     with pytest.raises(CourseError, match="takes a line of its own"):

@@ -12,8 +12,8 @@ import numpy as np
 import pytest
 from answers import EXERCISES, flat, telling, variant_of
 from courses import BUNDLED, exercise_of, lever, sheet
-from kinegrade.course.config import Student
-from kinegrade.course.demo import fill_in
+from kinegrade.course.commands.demo import fill_in
+from kinegrade.course.settings.config import Student
 from kinegrade.course.sheet.assignment import Assignment
 from kinegrade.course.sheet.given import given_cell, given_form, printed
 from kinegrade.course.sheet.notebook import notebooks

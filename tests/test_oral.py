@@ -5,10 +5,10 @@ import os
 import numpy as np
 import pytest
 from courses import hand_in, handed_out, make_course, notebook, right_answers
-from kinegrade.course.alike import alike, code_cells, statements
-from kinegrade.course.gradebook import Gradebook
-from kinegrade.course.marking import mark_sheets
-from kinegrade.course.results import recorded_results
+from kinegrade.course.ledger.gradebook import Gradebook
+from kinegrade.course.marking.run import mark_sheets
+from kinegrade.course.results.alike import alike, code_cells, statements
+from kinegrade.course.results.result import recorded_results
 
 OWN = (
     "def turn(angle, axis):\n    K = cross_matrix(axis)\n    return np.eye(3) + np.sin(angle) * K\n",

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 from answers import EXERCISES, variant_of
-from kinegrade.course.owners import Owners
-from kinegrade.course.record import fingerprint
+from kinegrade.course.marking.owners import Owners
+from kinegrade.course.variants.record import fingerprint
 from kinegrade.grader.marking.follow import owner_of
 from kinegrade.grader.marking.verdict import Verdict
 

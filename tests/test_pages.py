@@ -3,8 +3,8 @@
 from datetime import date
 
 import pytest
-from kinegrade.course import pages
-from kinegrade.course.pages import DAY, template, write_page
+from kinegrade.course.pages import page as pages
+from kinegrade.course.pages.page import DAY, template, write_page
 
 
 @pytest.fixture

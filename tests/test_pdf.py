@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from answers import EXERCISES, flat, variant_of
 from courses import exercise_of, sheet
-from kinegrade.course.config import Student
+from kinegrade.course.settings.config import Student
 from kinegrade.course.sheet.assignment import Assignment
 from kinegrade.course.typeset.document import Front, handout_data, solution_data
 from kinegrade.course.typeset.mathml import FormulaError

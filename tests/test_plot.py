@@ -5,11 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from courses import handed_out, make_course
-from kinegrade.course.config import read_course
+from kinegrade.course.commands.own_robot import own_robot
+from kinegrade.course.commands.plot import Kind
 from kinegrade.course.errors import CourseError
-from kinegrade.course.gradebook import Gradebook
-from kinegrade.course.own_robot import own_robot
-from kinegrade.course.plot_command import Kind
+from kinegrade.course.ledger.gradebook import Gradebook
+from kinegrade.course.settings.config import read_course
 from kinegrade.exercises.files.finding import exercise_files, find
 from kinegrade.grader.figures import maps
 from kinegrade.grader.figures.formats import FigureError

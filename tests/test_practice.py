@@ -5,13 +5,13 @@ import json
 import pytest
 from answers import EXERCISES
 from courses import LEVER, handed_out, make_course
-from kinegrade.course.check import check_file
-from kinegrade.course.config import CourseError
-from kinegrade.course.gradebook import Gradebook
-from kinegrade.course.practice import DRAWN_FOR, practice, write_practice
-from kinegrade.course.roster import SAFE_NAME
+from kinegrade.course.ledger.gradebook import Gradebook
+from kinegrade.course.settings.config import CourseError
+from kinegrade.course.settings.roster import SAFE_NAME
 from kinegrade.course.sheet.handout import read_handout
-from kinegrade.course.variant import draw_record
+from kinegrade.course.student.check import check_file
+from kinegrade.course.student.practice import DRAWN_FOR, practice, write_practice
+from kinegrade.course.variants.variant import draw_record
 from pypdf import PdfReader
 
 

@@ -5,9 +5,9 @@ from pathlib import Path
 
 import pytest
 from answers import EXERCISES, SLUGS
-from kinegrade.course.markdown import markdown_html
 from kinegrade.course.proof.preview import preview_page
 from kinegrade.course.proof.validate import validate_file
+from kinegrade.course.text.markdown import markdown_html
 from kinegrade.exercises.exercise import Manual
 from kinegrade.exercises.files.finding import exercise_files
 

@@ -2,8 +2,8 @@
 
 import pytest
 from courses import CLASS, LEVER, enrol, hand_in, handed_out, make_course, notebook, right_answers
-from kinegrade.course.config import read_course
 from kinegrade.course.grading import processes
+from kinegrade.course.settings.config import read_course
 from test_grading import graded, recorded, said, statuses
 
 MANY = [*CLASS, *((f"s{i}", f"S {i}") for i in range(5))]
@@ -80,7 +80,7 @@ def killing(tmp_path, *, always):
 
 
 def _records(folder):
-    from kinegrade.course.gradebook import Gradebook
+    from kinegrade.course.ledger.gradebook import Gradebook
 
     with Gradebook(folder / "gradebook.sqlite") as gradebook:
         return gradebook.records("one")

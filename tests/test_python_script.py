@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from answers import EXERCISES, SLUGS, answer_code, variant_of
 from courses import handed_out, make_course, right_answers
-from kinegrade.course.config import Sheet, Student
+from kinegrade.course.settings.config import Sheet, Student
 from kinegrade.course.sheet.assignment import Assignment
 from kinegrade.course.sheet.handout import handout_in
 from kinegrade.course.sheet.notebook import handout_notebook

@@ -3,10 +3,10 @@
 import pytest
 from answers import EXERCISES
 from courses import lever, make_course, sheet
-from kinegrade.course.config import Student, read_course
-from kinegrade.course.grades import SheetResults
-from kinegrade.course.report import write_report
-from kinegrade.course.results import Result
+from kinegrade.course.pages.report import write_report
+from kinegrade.course.results.grades import SheetResults
+from kinegrade.course.results.result import Result
+from kinegrade.course.settings.config import Student, read_course
 from kinegrade.grader.marking.verdict import Finding, Verdict, not_graded
 from webpage import NASTY, Page
 
@@ -16,7 +16,7 @@ ADA, BEN, CYD = Student("ada", "Ada Lovelace"), Student("ben", NASTY), Student("
 @pytest.fixture
 def course(tmp_path, monkeypatch):
     monkeypatch.setattr(
-        "kinegrade.course.robot_maps._figure",
+        "kinegrade.course.pages.robot_maps._figure",
         lambda _, name: {"file": f"{name}.png", "title": name, "alt": f"map of {name}"},
     )
     return read_course(make_course(tmp_path))

@@ -3,9 +3,9 @@
 import os
 
 import pytest
-from kinegrade.course import robot_maps
-from kinegrade.course.kept import cache_folder
-from kinegrade.course.robot_maps import LOST, write_maps
+from kinegrade.course.machine.kept import cache_folder
+from kinegrade.course.pages import robot_maps
+from kinegrade.course.pages.robot_maps import LOST, write_maps
 from kinegrade.solutions.robots import ROBOTS
 from webpage import Page
 

@@ -5,8 +5,8 @@ import json
 import numpy as np
 import pytest
 from courses import exercise_of
-from kinegrade.course.config import Sheet, Student
 from kinegrade.course.proof.validate import validate_file
+from kinegrade.course.settings.config import Sheet, Student
 from kinegrade.course.sheet.assignment import Assignment
 from kinegrade.course.sheet.matlab import starter
 from kinegrade.course.sheet.notebook import notebooks

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 from courses import LEVER
-from kinegrade.course import rules
+from kinegrade.course.grading import rules
 from kinegrade.exercises import files as exercise_folder
 from kinegrade.exercises.files import finding, loading, neighbours
 from kinegrade.exercises.files.finding import exercise_files
@@ -57,7 +57,7 @@ MOVES = {
     "exercises/catalogue/planar_2r.py": [],
     "grader/figures/maps.py": [],
     "grader/figures/scene.py": [],
-    "course/pages.py": [],
+    "course/pages/page.py": [],
     "lever.py": ["lever"],
     "arms.py": ["sharing"],
     "alone.py": [],

@@ -4,8 +4,8 @@ import os
 
 import pytest
 from courses import SECRET, files_of, hand_in, handed_out, make_course, right_answers, write_secret
-from kinegrade.course.config import CourseError, read_course
-from kinegrade.course.secret import read_secret
+from kinegrade.course.settings.config import CourseError, read_course
+from kinegrade.course.variants.secret import read_secret
 
 OTHER = "quite another secret, long enough"
 

@@ -9,12 +9,13 @@ import sys
 import pytest
 from answers import EXERCISES, SLUGS
 from courses import BUNDLED, CLASS, LEVER, enrol, files_of, handed_out, make_course
-from kinegrade.course import release, sheets
-from kinegrade.course.asked import exercises_of
-from kinegrade.course.config import CourseError, read_course
-from kinegrade.course.gradebook import Gradebook
-from kinegrade.course.sheets import generate
-from kinegrade.course.variant import canonical, fingerprint
+from kinegrade.course.handing_out import generate as sheets
+from kinegrade.course.handing_out import release
+from kinegrade.course.handing_out.generate import generate
+from kinegrade.course.ledger.gradebook import Gradebook
+from kinegrade.course.settings.asked import exercises_of
+from kinegrade.course.settings.config import CourseError, read_course
+from kinegrade.course.variants.variant import canonical, fingerprint
 from kinegrade.exercises.exercise import ExerciseError
 
 KILLED = """

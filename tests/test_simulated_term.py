@@ -9,9 +9,9 @@ from datetime import UTC, datetime, timedelta
 import numpy as np
 from courses import enrol, hand_in, make_course, notebook, right_answers
 from downloads import zip_bytes
-from kinegrade.course.config import read_course
-from kinegrade.course.gradebook import Gradebook
-from kinegrade.course.variant_code import variant_codes
+from kinegrade.course.ledger.gradebook import Gradebook
+from kinegrade.course.settings.config import read_course
+from kinegrade.course.variants.variant_code import variant_codes
 
 CRANK = '''
 """Two parts: one is computed, the other is marked by hand."""

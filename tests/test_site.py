@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 from answers import EXERCISES, SLUGS, variant_of
 from browser import browser, dom
-from kinegrade.course.settings import Settings
+from kinegrade.course.settings.toml_tables import Settings
 
 ROOT = Path(__file__).parents[1]
 NO_MKDOCS = "MkDocs is not installed (make docs): the site was not built"

@@ -5,7 +5,7 @@ import re
 import numpy as np
 import pytest
 from courses import BUNDLED, CLASS, files_of, handed_out, make_course
-from kinegrade.course.config import CourseError, Sheet, Student
+from kinegrade.course.settings.config import CourseError, Sheet, Student
 from kinegrade.course.sheet.assignment import Assignment
 from kinegrade.course.sheet.matlab import literal, starter
 from kinegrade.exercises.answers import (

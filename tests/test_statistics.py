@@ -2,11 +2,11 @@
 
 import pytest
 from courses import lever, sheet
-from kinegrade.course.config import Student
-from kinegrade.course.grades import SheetResults
-from kinegrade.course.histogram import histogram
-from kinegrade.course.results import Result
-from kinegrade.course.statistics import part_numbers, sheet_shares, spread
+from kinegrade.course.pages.histogram import histogram
+from kinegrade.course.results.grades import SheetResults
+from kinegrade.course.results.result import Result
+from kinegrade.course.results.statistics import part_numbers, sheet_shares, spread
+from kinegrade.course.settings.config import Student
 from kinegrade.grader.marking.verdict import Verdict, not_graded
 
 

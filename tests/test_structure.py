@@ -20,6 +20,7 @@ MODULES = [
 ]
 ENGINE = {"solutions"}
 SPOKEN = ENGINE | {"course/errors", "course/language"}
+GROUND = SPOKEN | {"course/text", "course/machine", "course/settings"}
 ROOMS = {
     # Behind the modules of solutions/ that people call.
     "solutions": {
@@ -58,81 +59,63 @@ ROOMS = {
     | {"grader/diagnosis"},
     "grader/telling": ENGINE | {"exercises", "grader/kinds", "grader/marking"},
     "grader/figures": ENGINE | {"exercises"},
-    # Settings and words at the bottom, sheets above them, proofs above sheets, the command on top.
+    # Words, the machine and settings at the bottom; variants, sheets and the gradebook on them;
+    # then marks, pages and marking, one above the other; what people call on top.
     "course/errors": ENGINE,
     "course/language": ENGINE | {"course/errors", "exercises", "exercises/files"},
-    "course/ground": ENGINE | {"course/errors", "course/language", "grader/collecting"},
-    "course/sheet": SPOKEN
-    | {
-        "course/errors",
-        "course/ground",
-        "course/language",
-        "exercises",
-        "exercises/kinds",
-        "grader/collecting",
-        "grader/figures",
-    }
-    | {"grader/jail"},
-    "course/typeset": SPOKEN | {"course/ground", "course/sheet", "exercises", "exercises/kinds"},
-    "course/record": SPOKEN | {"exercises"},
-    "course/adjusting": SPOKEN | {"course/ground", "exercises", "exercises/files"},
-    "course/grading": SPOKEN
-    | {"course/ground", "course/record", "course/adjusting", "course/sheet"}
-    | {"exercises", "exercises/files"}
-    | {"grader/collecting", "grader/jail", "grader/marking"},
-    "course/ledger": SPOKEN | {"course/ground", "grader/marking"},
-    "course/term": SPOKEN | {"course/ground", "course/ledger", "exercises", "grader/marking"},
+    "course/text": SPOKEN,
+    "course/machine": ENGINE | {"exercises/files", "grader/jail"},
+    "course/settings": SPOKEN
+    | {"course/text", "exercises", "exercises/files", "grader/collecting"},
+    "course/variants": GROUND | {"exercises", "exercises/files", "grader/telling"},
+    "course/sheet": GROUND
+    | {"exercises", "exercises/kinds", "grader/collecting", "grader/figures", "grader/jail"},
+    "course/typeset": GROUND | {"course/sheet", "exercises", "exercises/kinds"},
+    "course/ledger": GROUND | {"course/variants", "grader/marking"},
     "course/ledger/migrations": set(),
     "course/ledger/migrations/versions": set(),
-    "course": SPOKEN
-    | {"course/ground", "course/record", "course/sheet", "course/typeset", "course/ledger"}
-    | {"course/grading", "course/adjusting", "course/term"}
-    | {"exercises", "exercises/files"}
-    | {"grader/collecting", "grader/jail", "grader/reading", "grader/marking", "grader/telling"}
-    | {"grader/figures"},
-    "course/proof": SPOKEN
-    | {"course", "course/ground", "course/record", "course/sheet", "course/typeset"}
+    "course/term": GROUND | {"course/ledger", "exercises", "grader/marking"},
+    "course/grading": GROUND
+    | {"course/variants", "course/sheet", "exercises", "exercises/files"}
+    | {"grader/collecting", "grader/jail", "grader/marking"},
+    "course/results": GROUND
+    | {"course/variants", "course/sheet", "course/ledger", "course/term"}
+    | {"exercises", "grader/marking"},
+    "course/pages": GROUND
+    | {"course/variants", "course/sheet", "course/ledger", "course/term"}
+    | {"course/grading", "course/results"}
+    | {"exercises", "exercises/files", "grader/figures", "grader/marking"},
+    "course/handing_out": GROUND
+    | {"course/variants", "course/sheet", "course/typeset", "course/ledger", "course/grading"}
+    | {"exercises"},
+    "course/marking": GROUND
+    | {"course/variants", "course/sheet", "course/ledger", "course/term", "course/grading"}
+    | {"course/results", "course/pages", "course/handing_out"}
+    | {"exercises", "exercises/files", "grader/collecting", "grader/jail", "grader/marking"},
+    "course/student": GROUND
+    | {"course/variants", "course/sheet", "course/typeset", "exercises", "exercises/files"}
+    | {"grader/collecting", "grader/jail", "grader/marking", "grader/reading"},
+    "course/proof": GROUND
+    | {"course/variants", "course/sheet", "course/typeset", "course/pages"}
     | {"exercises", "exercises/files"}
     | {"grader/collecting", "grader/jail", "grader/kinds", "grader/marking", "grader/telling"},
-    "course/exchange": SPOKEN
-    | {"course", "course/ground", "course/sheet", "course/term", "exercises", "exercises/files"}
-    | {"grader/jail", "grader/marking"},
-    "course/command": SPOKEN
-    | {"course", "course/ground", "course/sheet", "course/proof", "course/exchange"}
-    | {"exercises", "exercises/files"}
-    | {"grader/figures", "grader/jail"},
+    "course/exchange": GROUND
+    | {"course/variants", "course/sheet", "course/ledger", "course/term", "course/results"}
+    | {"course/pages", "course/marking", "course/student"}
+    | {"exercises", "grader/jail", "grader/marking"},
+    "course/commands": GROUND
+    | {"course/variants", "course/ledger", "course/term", "course/results", "course/pages"}
+    | {"course/handing_out", "course/marking", "course/exchange"}
+    | {"exercises", "exercises/files", "grader/figures", "grader/jail"},
+    "course/cli": GROUND
+    | {"course/handing_out", "course/marking", "course/student", "course/proof"}
+    | {"course/commands", "exercises/files"},
 }
 """Which rooms each room may import from, besides itself; a folder is a room, and what lies beside it another."""
 ROOM_OF = {
     "exercises/part": "exercises/part",
-    "course/cli": "course/command",
-    "course/exchange_command": "course/command",
-    "course/record": "course/record",
-    "course/adjusting": "course/adjusting",
+    "course/cli": "course/cli",
     "course/errors": "course/errors",
-    **dict.fromkeys(
-        [
-            f"course/{name}"
-            for name in (
-                "config",
-                "console",
-                "code",
-                "cores",
-                "escape",
-                "files",
-                "formulas",
-                "markdown",
-                "roster",
-                "settings",
-                "spelling",
-                "roster_columns",
-                "text_file",
-                "times",
-                "words",
-            )
-        ],
-        "course/ground",
-    ),
 }
 """Rooms of files that stand beside others on the top floor of a package."""
 DISTRIBUTIONS = {
@@ -333,7 +316,7 @@ def test_no_package_loads_anything_by_itself():
 
 def test_grading_loads_no_sympy_and_no_figures():
     found = loaded(
-        "import kinegrade.course.marker, kinegrade.course.sheet.submissions, kinegrade.course.tables"
+        "import kinegrade.course.marking.marker, kinegrade.course.sheet.submissions, kinegrade.course.results.tables"
     )
     heavy = {"sympy", "matplotlib", "typst", "IPython", "scipy", "alembic", "psycopg"}
     assert sorted(heavy & found) == []

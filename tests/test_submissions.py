@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 from answers import EXERCISES, SLUGS, variant_of
 from courses import exercise_of, hand_in, notebook, right_answers
-from kinegrade.course.config import CourseError, read_course
+from kinegrade.course.settings.config import CourseError, read_course
 from kinegrade.course.sheet.handed_in import find_submission, misnamed, strangers
 from kinegrade.course.sheet.submissions import READERS, Submission, read_submission
 from kinegrade.exercises.exercise import Function, Numbers, Part
@@ -53,7 +53,7 @@ import sys
 from pathlib import Path
 for name in ("resource", "fcntl", "pwd", "grp", "termios", "tty", "pty"):
     sys.modules[name] = None  # importing it raises ImportError
-import kinegrade.course.check
+import kinegrade.course.student.check
 from kinegrade.course.config import read_course
 from kinegrade.course.gradebook import Gradebook
 from kinegrade.course.marker import SheetMarker

@@ -5,9 +5,8 @@ import json
 
 import pytest
 from courses import lever
-from kinegrade.course.config import Student
-from kinegrade.course.results import Result
-from kinegrade.course.tables import (
+from kinegrade.course.results.result import Result
+from kinegrade.course.results.tables import (
     MARKS,
     legend,
     remark,
@@ -15,6 +14,7 @@ from kinegrade.course.tables import (
     results_json,
     terminal_table,
 )
+from kinegrade.course.settings.config import Student
 from kinegrade.grader.marking.verdict import STATUS_WORDS, Finding, Verdict, not_graded
 from rich.console import Console
 

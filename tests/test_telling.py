@@ -11,7 +11,7 @@ from courses import SECRET, lever
 from kinegrade.course.proof.telling import accepted, all_told, told
 from kinegrade.course.proof.telling_table import telling_lines
 from kinegrade.course.proof.validation import Validation
-from kinegrade.course.variant import REFUSED, canonical, draw_record
+from kinegrade.course.variants.variant import REFUSED, canonical, draw_record
 from kinegrade.exercises.answers import Numbers
 from kinegrade.exercises.draws import angles, length
 from kinegrade.exercises.exercise import ExerciseError

@@ -7,14 +7,14 @@ from datetime import UTC, datetime, timedelta
 import numpy as np
 import pytest
 from courses import hand_in, handed_out, make_course, right_answers
-from kinegrade.course.asked import exercises_of
-from kinegrade.course.config import CourseError, Sheet, read_course
-from kinegrade.course.gradebook import Gradebook
-from kinegrade.course.grades import SheetResults, totals
-from kinegrade.course.marking import mark_sheets
-from kinegrade.course.results import recorded_results
+from kinegrade.course.ledger.gradebook import Gradebook
+from kinegrade.course.marking.run import mark_sheets
+from kinegrade.course.results.grades import SheetResults, totals
+from kinegrade.course.results.result import recorded_results
+from kinegrade.course.settings.asked import exercises_of
+from kinegrade.course.settings.config import CourseError, Sheet, read_course
+from kinegrade.course.settings.times import Lateness, lateness, read_time, rules_text, time_text
 from kinegrade.course.term.received import read_receipts
-from kinegrade.course.times import Lateness, lateness, read_time, rules_text, time_text
 
 DEADLINE = datetime(2026, 10, 8, 22, 0, tzinfo=UTC)
 TIMES = "timezone = 'Europe/Berlin'\n"

@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from answers import EXERCISES, SLUGS, raws_of, variant_of, wrong
-from kinegrade.course.habits import HABITS, Code
+from kinegrade.course.commands.habits import HABITS, Code
 from kinegrade.exercises.exercise import Choice, Formulas, Numbers, TableOf, references
 from kinegrade.grader.marking.mark import mark
 

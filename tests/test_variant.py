@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from answers import EXERCISES, variant_of, wrong
 from courses import SECRET, exercise_of, lever
-from kinegrade.course.variant import (
+from kinegrade.course.variants.variant import (
     Record,
     canonical,
     digest,
@@ -60,9 +60,9 @@ def test_the_same_secret_draws_the_same_record(exercise):
 
 def test_no_two_of_150_students_get_the_same_numbers(exercise, monkeypatch):
     monkeypatch.setattr(
-        "kinegrade.course.variant.fingerprint", lambda *_: {}
+        "kinegrade.course.variants.variant.fingerprint", lambda *_: {}
     )  # numbers alone matter here
-    monkeypatch.setattr("kinegrade.course.variant.objections", lambda _: iter(()))
+    monkeypatch.setattr("kinegrade.course.variants.variant.objections", lambda _: iter(()))
     taken = set()
     for i in range(150):
         taken.add(canonical(draw_record(SECRET, "one", f"s{i}", exercise, taken).numbers))

@@ -1,8 +1,8 @@
 """The code on the pages of a sheet: one for every variant, and read back as people type it."""
 
 import pytest
-from kinegrade.course.variant import Record
-from kinegrade.course.variant_code import ALPHABET, read_code, variant_code, variant_codes
+from kinegrade.course.variants.variant import Record
+from kinegrade.course.variants.variant_code import ALPHABET, read_code, variant_code, variant_codes
 
 
 def record(student="ada", exercise="lever", attempt=0, **numbers):

@@ -32,7 +32,7 @@ def test_an_installed_wheel_holds_everything_and_marks_a_course(tmp_path):
     """Figures, pages, maps and notebooks come out of the wheel; the worked solution, handed in, earns full marks."""
     wheel = build(tmp_path)
     assert holds(wheel) == checked_out()
-    assert "kinegrade/course/templates/report.html" in holds(wheel)
+    assert "kinegrade/course/pages/templates/report.html" in holds(wheel)
     archive = zipfile.ZipFile(wheel)
     (entry,) = (name for name in archive.namelist() if name.endswith("entry_points.txt"))
     entries = configparser.ConfigParser()

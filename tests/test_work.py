@@ -13,7 +13,7 @@ from kinegrade.course.grading.overheard import overheard, repeat
 from kinegrade.course.grading.task import CHECK, MARK, packed, there, unpacked
 from kinegrade.course.grading.values import from_text, to_text
 from kinegrade.course.grading.work import Came, Done, Walls, Work, do
-from kinegrade.course.record import Record, fingerprint
+from kinegrade.course.variants.record import Record, fingerprint
 from kinegrade.exercises.exercise import ExerciseError
 from kinegrade.exercises.files import text as texts
 from kinegrade.exercises.files.finding import exercise_files, load

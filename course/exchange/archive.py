@@ -13,9 +13,9 @@ from typing import IO
 from zipfile import BadZipFile, ZipFile, ZipInfo, is_zipfile
 
 from ..errors import CourseError
-from ..escape import printable
 from ..sheet.archive import DRIVE, ENCRYPTED
 from ..sheet.upload import MAX_NOTEBOOK, is_unseen
+from ..text.escape import printable
 
 MOST_FILES = 50_000  # of a download
 MOST_INNER_FILES = 500  # of a zip that a student handed in

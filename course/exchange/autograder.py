@@ -11,12 +11,12 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 from ...grader.jail.level import Permission
-from ..asked import exercises_of
-from ..config import Course, Sheet
 from ..errors import CourseError
-from ..files import write_atomically
-from ..gradebook import FILE, Gradebook
-from ..variant import Record
+from ..ledger.gradebook import FILE, Gradebook
+from ..machine.files import write_atomically
+from ..settings.asked import exercises_of
+from ..settings.config import Course, Sheet
+from ..variants.variant import Record
 from .packing import packed
 from .wheel import wheel
 

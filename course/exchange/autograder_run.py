@@ -16,14 +16,14 @@ from typing import Any
 
 from ...grader.jail.level import Permission
 from ...solutions.errors import KinegradeError
-from ..asked import exercises_of
-from ..config import Course, Settings, Sheet, Student
 from ..errors import CourseError
-from ..files import write_atomically
-from ..gradebook import FILE, Gradebook
-from ..marker import SheetMarker
-from ..marking import this_machine
-from ..results import Result
+from ..ledger.gradebook import FILE, Gradebook
+from ..machine.files import write_atomically
+from ..marking.marker import SheetMarker
+from ..marking.run import this_machine
+from ..results.result import Result
+from ..settings.asked import exercises_of
+from ..settings.config import Course, Settings, Sheet, Student
 from .archive import opened_download
 from .autograder import ABOUT
 from .claims import look

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from ..errors import CourseError
-from ..files import write_atomically
+from ..machine.files import write_atomically
 from . import canvas
 from .archive import Contents, opened_download
 from .marked import Marked

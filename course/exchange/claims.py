@@ -4,9 +4,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import PurePath
 
-from ..config import Course
-from ..escape import printable
+from ..settings.config import Course
 from ..sheet.submissions import NOTEBOOK, READERS
+from ..text.escape import printable
 from .archive import File, RefusedError, inner_files
 from .inside import Inside, inside
 from .people import Owner, People, UnknownPersonError

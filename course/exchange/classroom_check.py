@@ -9,9 +9,9 @@ import sys
 from pathlib import Path
 
 from ...solutions.errors import KinegradeError
-from ..check import check_file
-from ..escape import printable
-from ..files import write_atomically
+from ..machine.files import write_atomically
+from ..student.check import check_file
+from ..text.escape import printable
 from .classroom_results import Test, classroom_results
 
 

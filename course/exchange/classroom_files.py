@@ -3,8 +3,8 @@
 import json
 from pathlib import Path
 
-from ..config import Sheet
-from ..files import write_atomically
+from ..machine.files import write_atomically
+from ..settings.config import Sheet
 from .classroom_results import of_result
 from .marked import Marked
 from .wheel import wheel

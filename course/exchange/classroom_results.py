@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from ..results import Result
+from ..results.result import Result
 from .marked import Marked
 
 

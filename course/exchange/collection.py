@@ -5,8 +5,8 @@ from dataclasses import dataclass, replace
 from datetime import datetime, tzinfo
 from pathlib import Path
 
-from ..config import Course
 from ..errors import CourseError
+from ..settings.config import Course
 from . import canvas, classroom, gradescope, moodle, nbgrader
 from .archive import Contents, opened_download
 from .claims import look

@@ -6,8 +6,8 @@ from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
-from ..config import Student
-from ..files import write_atomically
+from ..machine.files import write_atomically
+from ..settings.config import Student
 from .gradescope_results import gradescope_results
 from .marked import Marked
 from .packing import packed

@@ -3,7 +3,7 @@
 from typing import Any
 
 from ...grader.marking.verdict import Verdict
-from ..results import Result
+from ..results.result import Result
 from .marked import Marked
 
 PASSED = ("correct", "follows")

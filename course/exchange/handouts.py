@@ -2,9 +2,9 @@
 
 from pathlib import Path
 
-from ..config import Course, Sheet, Student
-from ..console import say
 from ..errors import CourseError
+from ..machine.console import say
+from ..settings.config import Course, Sheet, Student
 from .members import members
 from .moodle_grades import files_for
 from .packing import write_zip

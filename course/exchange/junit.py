@@ -3,7 +3,7 @@
 from xml.etree import ElementTree as ET
 
 from ...grader.marking.verdict import STATUS_WORDS, Verdict
-from ..results import Result
+from ..results.result import Result
 from .marked import Marked
 
 PASSED = ("correct", "follows")

@@ -6,15 +6,15 @@ from pathlib import Path
 
 from ...exercises.exercise import Exercise
 from ...grader.marking.verdict import STATUS_WORDS, Verdict
-from ..asked import asked_parts, exercises_of
-from ..config import Course, Sheet, Student
-from ..console import say
-from ..escape import printable
-from ..gradebook import Gradebook
-from ..grades import SheetResults
-from ..results import Result, recorded_results
-from ..sentences import sentence
-from ..times import late_text
+from ..ledger.gradebook import Gradebook
+from ..machine.console import say
+from ..pages.sentences import sentence
+from ..results.grades import SheetResults
+from ..results.result import Result, recorded_results
+from ..settings.asked import asked_parts, exercises_of
+from ..settings.config import Course, Sheet, Student
+from ..settings.times import late_text
+from ..text.escape import printable
 
 NOTHING = "nothing marked yet"
 

@@ -3,9 +3,9 @@
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from ..config import Course, Student
-from ..console import say
 from ..errors import CourseError
+from ..machine.console import say
+from ..settings.config import Course, Student
 from .people import Owner, People, UnknownPersonError
 from .worksheet import Worksheet
 

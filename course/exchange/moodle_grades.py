@@ -4,9 +4,9 @@ from collections.abc import Iterable, Sequence
 from html import escape
 from pathlib import Path
 
-from ..config import Student
-from ..console import say
-from ..files import write_atomically
+from ..machine.console import say
+from ..machine.files import write_atomically
+from ..settings.config import Student
 from .marked import Marked
 from .members import Member, members
 from .packing import write_zip

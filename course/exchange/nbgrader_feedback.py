@@ -4,7 +4,7 @@ import csv
 import io
 from pathlib import Path
 
-from ..files import write_atomically
+from ..machine.files import write_atomically
 from .marked import Marked
 
 COLUMNS = (

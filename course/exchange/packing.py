@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
-from ..files import write_atomically
+from ..machine.files import write_atomically
 
 TIME = (1980, 1, 1, 0, 0, 0)
 FILE = 0o644

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from datetime import datetime
 
-from ..config import Student
+from ..settings.config import Student
 
 WORD = re.compile(r"[^\W_]+")
 

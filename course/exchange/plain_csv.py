@@ -4,8 +4,8 @@ import csv
 import io
 from pathlib import Path
 
-from ..escape import for_spreadsheet
-from ..files import write_atomically
+from ..machine.files import write_atomically
+from ..text.escape import for_spreadsheet
 from .marked import Marked
 from .worksheet import BOM
 

@@ -5,13 +5,13 @@ from dataclasses import dataclass, field, replace
 from datetime import UTC, datetime
 from pathlib import Path, PurePath
 
-from ..config import Course
-from ..escape import printable
-from ..files import write_atomically
-from ..roster import DEVICE
+from ..machine.files import write_atomically
+from ..settings.config import Course
+from ..settings.roster import DEVICE
 from ..sheet.about import REQUEST
 from ..sheet.submissions import MAX_BESIDE, READERS
 from ..term.received import Receipt, read_receipts, write_receipts
+from ..text.escape import printable
 from .archive import RefusedError
 from .claims import Claim, Looked
 from .upload import Upload

@@ -4,8 +4,8 @@ from dataclasses import dataclass
 from datetime import datetime
 from pathlib import PurePath
 
-from ..escape import printable
 from ..sheet.about import REQUEST
+from ..text.escape import printable
 from .archive import File
 from .people import Owner
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from ..errors import CourseError
-from ..text_file import SEPARATORS, csv_rows, text_of
+from ..settings.text_file import SEPARATORS, csv_rows, text_of
 from .headings import HEADINGS
 
 BOM = "\ufeff"

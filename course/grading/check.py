@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from ...exercises.exercise import Exercise
 from ...exercises.files.text import Text, exercise_of
 from ...grader.jail.jail import Jail
-from ..record import Record, moved_parts
+from ..variants.record import Record, moved_parts
 from .overheard import Complaint
 from .work import AS_JSON, Walls
 

@@ -12,8 +12,8 @@ from typing import Any, TypeVar
 from ...grader.jail.jail import best_level
 from ...grader.jail.level import JailError, Level, Permission
 from ...solutions.errors import KinegradeError
-from ..code import code_hash
-from ..console import say
+from ..machine.code import code_hash
+from ..machine.console import say
 from .place import LostWorkError, in_flight, received
 from .task import Task, packed, there
 from .work import Walls

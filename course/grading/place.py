@@ -9,7 +9,7 @@ from typing import Any, Protocol, TypeVar
 from ...grader.jail.jail import Jail
 from ...grader.jail.level import Level
 from ...solutions.errors import KinegradeError
-from ..cores import cores
+from ..machine.cores import cores
 from .overheard import repeat
 from .task import Task, unpacked
 from .work import Walls

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, TypeVar
 
 from ...grader.jail.jail import Jail
 from ...grader.jail.level import Level
-from ..cores import cores, worker_processes
+from ..machine.cores import cores, worker_processes
 from .place import Here, LostWorkError, in_flight, received
 from .task import Task, packed, there
 from .work import Walls

@@ -20,7 +20,7 @@ from ...grader.marking.mark import mark
 from ...grader.marking.price import Bill, Price
 from ...grader.marking.verdict import Verdict, not_graded
 from ...solutions.errors import KinegradeError
-from ..adjusting import adjusted_by
+from ..settings.adjusting import adjusted_by
 from ..sheet.submissions import RUN, Submission
 from .overheard import Complaint
 from .values import from_text, to_text

@@ -5,7 +5,7 @@ from pathlib import Path
 from sqlalchemy import URL, make_url
 from sqlalchemy.exc import ArgumentError
 
-from ..config import CourseError
+from ..settings.config import CourseError
 
 POSTGRES = "postgresql"
 TAKES = "a gradebook takes a file, or a URL such as postgresql://user@host/database"

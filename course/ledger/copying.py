@@ -2,7 +2,7 @@
 
 from sqlalchemy import Connection, func, select
 
-from ..config import CourseError
+from ..settings.config import CourseError
 from .database import Database
 from .tables import LEDGER, entry, version
 

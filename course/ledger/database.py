@@ -8,7 +8,7 @@ from typing import Any
 from sqlalchemy import URL, Connection, Engine, create_engine, event, text
 from sqlalchemy.exc import DBAPIError
 
-from ..config import CourseError
+from ..settings.config import CourseError
 from .address import POSTGRES, shown
 
 WAIT = 30  # seconds for another kinegrade; each of its changes takes milliseconds

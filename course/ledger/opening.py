@@ -5,7 +5,7 @@ from pathlib import Path
 
 from sqlalchemy import Connection, inspect, text
 
-from ..config import CourseError
+from ..settings.config import CourseError
 from .database import Database
 from .tables import LEDGER, VERSION, version
 

@@ -19,13 +19,13 @@ from ...grader.kinds.markers import handed_in
 from ...grader.marking.answer_key import AnswerKey
 from ...grader.marking.mark import mark, mark_part
 from ...solutions.errors import KinegradeError
-from ..complaints import debugging, marking_failures
-from ..config import Sheet, Student
-from ..formulas import page_text
+from ..machine.complaints import debugging, marking_failures
+from ..settings.config import Sheet, Student
 from ..sheet.assignment import Assignment
 from ..sheet.given import given_numbers
 from ..sheet.notebook import notebooks
 from ..sheet.worked import worked_steps
+from ..text.formulas import page_text
 from ..typeset.mathml import FormulaError
 from ..typeset.prose import prose
 from .nonsense import NONSENSE

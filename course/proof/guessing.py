@@ -14,7 +14,7 @@ from ...grader.collecting.wire import Raw
 from ...grader.marking.answer_key import AnswerKey
 from ...grader.marking.guesses import counted
 from ...grader.marking.mark import mark
-from ..drawn import drawn
+from ..variants.drawn import drawn
 from .draw import Failure
 from .guesses import Answers, Guess, guesses_for
 

@@ -11,15 +11,15 @@ from ...grader.collecting.wire import Raw
 from ...grader.kinds.markers import handed_in
 from ...grader.marking.answer_key import AnswerKey
 from ...grader.marking.mark import mark
-from ..drawn import drawn
-from ..feedback import feedback_block
-from ..markdown import markdown_html
-from ..pages import template
+from ..pages.feedback import feedback_block
+from ..pages.page import template
 from ..sheet.assignment import Assignment
 from ..sheet.given import given_cell
 from ..sheet.question import prompt_text, question_text
 from ..sheet.worked import rubric, worked_steps
-from ..words import points_text
+from ..text.markdown import markdown_html
+from ..text.words import points_text
+from ..variants.drawn import drawn
 from .draw import raws_of
 
 

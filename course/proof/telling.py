@@ -16,8 +16,8 @@ from ...grader.telling.numbers import idle_numbers
 from ...grader.telling.objections import Objection, objections
 from ...grader.telling.rules import alike, known_rules, passing
 from ...grader.telling.work import work
-from ..drawn import drawn, prove_drawn
-from ..variant import REFUSED
+from ..variants.drawn import drawn, prove_drawn
+from ..variants.variant import REFUSED
 
 Kind = Literal[
     "refused for a rule",

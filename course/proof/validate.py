@@ -14,9 +14,9 @@ import numpy as np
 
 from ...exercises.exercise import ExerciseError
 from ...exercises.files.finding import exercise_files, find, load, own_files
-from ..config import CourseError, read_settings
-from ..drawn import drawn
-from ..record import canonical
+from ..settings.config import CourseError, read_settings
+from ..variants.drawn import drawn
+from ..variants.record import canonical
 from .draw import Failure, because, failures_of
 from .guessing import guess_failures
 from .telling import Telling, accepted, all_told, told

@@ -10,7 +10,7 @@ from rich.console import Console
 from rich.markup import escape
 from rich.table import Table
 
-from ..console import say
+from ..machine.console import say
 from .telling_table import telling_lines, telling_table
 from .validation import KINDS, Validation, summary
 

@@ -9,7 +9,7 @@ from pathlib import Path, PurePosixPath
 from zipfile import ZIP_DEFLATED, ZIP_STORED, BadZipFile, ZipFile, ZipInfo
 
 from ..errors import CourseError
-from ..escape import printable
+from ..text.escape import printable
 from .upload import Upload, is_unseen, on_disk
 
 ZIP = ".zip"

@@ -6,8 +6,8 @@ from typing import Any, cast
 from ...exercises.exercise import Exercise
 from ...exercises.kinds.kind import listed_rows
 from ...solutions.expression import latex_name
-from ..formulas import given_number
 from ..language.speech import phrase
+from ..text.formulas import given_number
 
 
 def printed(exercise: Exercise, v: dict[str, Any]) -> dict[str, Any]:

@@ -7,7 +7,7 @@ from datetime import datetime
 from pathlib import Path
 
 from ..errors import CourseError
-from ..escape import printable
+from ..text.escape import printable
 from .about import REQUEST, whose
 from .archive import ZIP, uploads_in
 from .file_names import called_after, looks_like

@@ -6,8 +6,8 @@ from pathlib import Path
 from typing import Any, get_args
 
 from ...grader.collecting.ask import Limits
-from ..config import CourseError, LimitsTable, Mode, PackagesTable, Sheet
 from ..language.speech import ENGLISH, Language, later, phrase, speaking
+from ..settings.config import CourseError, LimitsTable, Mode, PackagesTable, Sheet
 from .about import read_about
 
 TOLD: dict[Mode, str] = {

@@ -3,11 +3,11 @@
 from collections.abc import Sequence
 
 from ...exercises.exercise import Rows
-from ..config import LimitsTable, Sheet, Student
-from ..escape import no_markup
 from ..language.speech import ENGLISH, later, phrase, phrase_count
-from ..times import rules_text
-from ..words import points_text
+from ..settings.config import LimitsTable, Sheet, Student
+from ..settings.times import rules_text
+from ..text.escape import no_markup
+from ..text.words import points_text
 from .assignment import Assignment
 from .given import unit_names
 

@@ -8,10 +8,10 @@ from typing import Any
 from ...exercises.answers import Choice, Function
 from ...exercises.exercise import Exercise, Part, Rows
 from ...exercises.kinds.manual import is_on_paper
-from ..config import SCRIPT_NAME, CourseError, Sheet, Student
-from ..escape import printable
 from ..language.speech import later, phrase, retold
-from ..words import points_text
+from ..settings.config import SCRIPT_NAME, CourseError, Sheet, Student
+from ..text.escape import printable
+from ..text.words import points_text
 from .assignment import Assignment
 from .given import given, unit_names
 from .matlab_literal import literal, literal_lines

@@ -5,8 +5,8 @@ import re
 from collections.abc import Iterator, Sequence
 from typing import Any, cast
 
-from ..config import SCRIPT_NAME, CourseError
-from ..escape import printable
+from ..settings.config import SCRIPT_NAME, CourseError
+from ..text.escape import printable
 
 LONG = 72  # of a matrix, beside its name and unit
 WORDS: dict[bool | None, str] = {None: "[]", True: "true", False: "false"}

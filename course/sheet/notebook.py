@@ -4,8 +4,8 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from ...exercises.exercise import Exercise, Manual
-from ..config import LimitsTable, PackagesTable, Sheet, Student
 from ..language.speech import ENGLISH, later, phrase
+from ..settings.config import LimitsTable, PackagesTable, Sheet, Student
 from .about import KEY
 from .assignment import Assignment
 from .blank import blank_text

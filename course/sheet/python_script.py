@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-from ..config import LimitsTable, PackagesTable, Sheet, Student
+from ..settings.config import LimitsTable, PackagesTable, Sheet, Student
 from .about import about_line
 from .assignment import Assignment
 from .notebook import handout_cells, self_description

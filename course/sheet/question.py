@@ -6,7 +6,7 @@ from html import escape
 from ...exercises.exercise import Choice, Exercise, Part
 from ...grader.figures.raster import data_uri
 from ..language.speech import phrase, retold
-from ..words import points_text
+from ..text.words import points_text
 from .assignment import WIDTH, Assignment, Figure
 from .given import given_form, given_numbers
 from .heading import STACKED

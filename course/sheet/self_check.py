@@ -7,7 +7,7 @@ from ...exercises.exercise import Part
 from ...exercises.kinds.manual import is_on_paper
 from ..language.speech import later, phrase
 
-TEMPLATE = "templates/self_check.txt"
+TEMPLATE = "self_check.txt"
 SENTENCES = (
     later("not answered yet"),
     later("takes a function"),
@@ -35,7 +35,7 @@ def self_check(parts: Sequence[Part]) -> str:
             continue
         lines.append(f"    {part.variable!r}: {part.answer.self_check!r},")
 
-    template = files("kinegrade.course").joinpath(TEMPLATE).read_text(encoding="utf-8")
+    template = files("kinegrade.course.sheet").joinpath(TEMPLATE).read_text(encoding="utf-8")
     for sentence in SENTENCES:
         template = template.replace(f'"{sentence}"', f'"{phrase(sentence)}"')
     return template.replace("@ANSWERS@", "\n".join(lines)).rstrip("\n")

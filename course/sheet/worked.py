@@ -4,9 +4,9 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from ...exercises.exercise import ExerciseError, Manual, Part, Step
-from ..escape import no_markup
-from ..formulas import closed_form, matrix
-from ..words import points_text
+from ..text.escape import no_markup
+from ..text.formulas import closed_form, matrix
+from ..text.words import points_text
 
 DECIMALS = 4  # of numbers in the worked solution of a part that asks for none
 

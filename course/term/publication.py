@@ -6,7 +6,7 @@ from typing import Any
 
 from ...grader.marking.verdict import Verdict
 from ..ledger.term import Publication
-from ..times import Lateness
+from ..settings.times import Lateness
 from .result import Attempts, Result
 
 

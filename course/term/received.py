@@ -11,9 +11,9 @@ from datetime import UTC, datetime, tzinfo
 from pathlib import Path
 
 from ..errors import CourseError
-from ..files import write_atomically
-from ..text_file import csv_rows, text_of
-from ..times import read_time
+from ..machine.files import write_atomically
+from ..settings.text_file import csv_rows, text_of
+from ..settings.times import read_time
 
 FILE = "received.csv"
 COLUMNS = ("student", "sheet", "file", "received")

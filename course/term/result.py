@@ -3,8 +3,8 @@
 from dataclasses import dataclass, field
 
 from ...grader.marking.verdict import Finding, Verdict
-from ..roster import Student
-from ..times import IN_TIME, Lateness
+from ..settings.roster import Student
+from ..settings.times import IN_TIME, Lateness
 
 UNSAFE_STAMP = Finding(
     "This notebook was run at level unsafe: it could have changed any marks.",

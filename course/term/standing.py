@@ -7,8 +7,8 @@ from datetime import datetime
 from ...grader.marking.verdict import Verdict
 from ..ledger.grades import Attempt
 from ..ledger.term import Extension, Publication
-from ..settings import Sheet
-from ..times import IN_TIME, Lateness, lateness, time_text
+from ..settings.times import IN_TIME, Lateness, lateness, time_text
+from ..settings.toml_tables import Sheet
 from .opinions import Opinions
 from .publication import read_result
 from .result import Attempts, Result

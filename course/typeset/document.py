@@ -7,10 +7,9 @@ from typing import Any
 
 from ...exercises.exercise import Choice, Exercise, Manual, Numbers, Part
 from ...exercises.kinds.paper import Paper
-from ..config import Sheet, Student
-from ..escape import printable
 from ..language.speech import language_spoken, later, phrase
 from ..language.writing import number_text
+from ..settings.config import Sheet, Student
 from ..sheet.assignment import Assignment, Figure
 from ..sheet.given import given_form, given_formulas
 from ..sheet.heading import (
@@ -21,7 +20,8 @@ from ..sheet.heading import (
     row_orders,
 )
 from ..sheet.question import asked, order_text
-from ..words import points_text
+from ..text.escape import printable
+from ..text.words import points_text
 from .formula import formula
 from .mathml import FormulaError
 from .prose import Block, formula_data, line, prose

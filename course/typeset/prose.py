@@ -4,7 +4,7 @@
 from collections.abc import Iterator
 from typing import Any
 
-from ..markdown import PLACE, renderer, without_formulas
+from ..text.markdown import PLACE, renderer, without_formulas
 from .formula import Formula, formula
 from .mathml import FormulaError
 

@@ -4,14 +4,14 @@ from collections.abc import Iterable, Iterator
 from html import escape
 
 import numpy as np
-from kinegrade.course.drawn import drawn
-from kinegrade.course.formulas import page_text
-from kinegrade.course.robot_maps import map_of
+from kinegrade.course.pages.robot_maps import map_of
 from kinegrade.course.sheet.assignment import Assignment
 from kinegrade.course.sheet.given import given_form, given_numbers
 from kinegrade.course.sheet.heading import STACKED
 from kinegrade.course.sheet.question import prompt_text
-from kinegrade.course.words import points_text
+from kinegrade.course.text.formulas import page_text
+from kinegrade.course.text.words import points_text
+from kinegrade.course.variants.drawn import drawn
 from kinegrade.exercises.exercise import Exercise, Part
 from kinegrade.exercises.files.finding import exercise_files, find
 from kinegrade.solutions.robots import robot

@@ -3,8 +3,8 @@
 import re
 from typing import Any
 
-from kinegrade.course.formulas import mathml
-from kinegrade.course.markdown import PLACE, without_formulas
+from kinegrade.course.text.formulas import mathml
+from kinegrade.course.text.markdown import PLACE, without_formulas
 from mkdocs.structure.pages import Page
 
 FENCED = re.compile(r"(^```.*?^```\s*?$|^``````.*?^``````\s*?$)", re.DOTALL | re.MULTILINE)

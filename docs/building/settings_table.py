@@ -4,8 +4,8 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from griffe import Docstring, DocstringSectionKind
-from kinegrade.course import settings
-from kinegrade.course.settings import Settings
+from kinegrade.course.settings import toml_tables as settings
+from kinegrade.course.settings.toml_tables import Settings
 from mkdocs.structure.pages import Page
 from pydantic import BaseModel
 

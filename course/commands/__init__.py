@@ -1,0 +1,1 @@
+"""The commands behind `kinegrade`, and what they alone need."""

@@ -1,0 +1,1 @@
+"""Sheets drawn, recorded and written for every student."""

@@ -1,0 +1,1 @@
+"""What course.toml, roster.csv and other files that people keep say, checked."""

@@ -1,0 +1,1 @@
+"""Text made ready for where it goes: pages, terminals, spreadsheets, Markdown, formulas."""
