@@ -22,7 +22,7 @@ validate: .venv/product
 	$(BIN)/kinegrade validate --draws 100
 
 gallery: .venv/product
-	$(BIN)/python -m kinegrade.course.gallery docs/gallery
+	$(BIN)/python -m kinegrade.course.commands.gallery docs/gallery
 
 docs: .venv/docs
 	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --strict --quiet

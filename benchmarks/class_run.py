@@ -28,7 +28,7 @@ from kinegrade.course.settings.asked import exercises_of
 from kinegrade.course.settings.config import Course, Student, read_course
 from kinegrade.exercises.exercise import Exercise, Part, references
 
-SIZES = (60, 120)
+SIZES = (60, 240)  # far apart: what a start costs more or less is not taken for students
 TIMES = 3
 SHEET = "jacobian"
 EXERCISES = ("three_axis", "rrt", "puma_velocities")

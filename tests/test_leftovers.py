@@ -35,7 +35,7 @@ OTHERS = (
 HOLDING = """
 import sys
 from pathlib import Path
-from kinegrade.course.leftovers import cleared
+from kinegrade.course.machine.leftovers import cleared
 with cleared(Path(sys.argv[1])):
     print("in", flush=True)
     sys.stdin.read()

@@ -3,7 +3,7 @@
 from datetime import date
 
 import pytest
-from kinegrade.course.pages import page as pages
+from kinegrade.course.pages import page
 from kinegrade.course.pages.page import DAY, template, write_page
 
 
@@ -17,7 +17,7 @@ def on(monkeypatch):
             def today(cls):
                 return cls(year, month, day)
 
-        monkeypatch.setattr(pages, "date", Then)
+        monkeypatch.setattr(page, "date", Then)
 
     return said
 

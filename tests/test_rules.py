@@ -30,7 +30,7 @@ print(json.dumps({name: module.__file__ for name, module in sys.modules.items() 
 MOVED = """
 import json, sys
 from pathlib import Path
-from kinegrade.course.rules import ROOT, rules_hash
+from kinegrade.course.grading.rules import ROOT, rules_hash
 from kinegrade.exercises.files.finding import exercise_files
 assert ROOT == Path(sys.argv[1]) / "kinegrade", ROOT
 files = {"rrt": exercise_files()["rrt"], "lever": Path("lever.py"), "sharing": Path("sharing.py")}

@@ -54,9 +54,9 @@ from pathlib import Path
 for name in ("resource", "fcntl", "pwd", "grp", "termios", "tty", "pty"):
     sys.modules[name] = None  # importing it raises ImportError
 import kinegrade.course.student.check
-from kinegrade.course.config import read_course
-from kinegrade.course.gradebook import Gradebook
-from kinegrade.course.marker import SheetMarker
+from kinegrade.course.settings.config import read_course
+from kinegrade.course.ledger.gradebook import Gradebook
+from kinegrade.course.marking.marker import SheetMarker
 sys.platform = "win32"  # not before: the standard library looks at it, too
 course = read_course(Path(sys.argv[1]))
 with Gradebook(course.folder / "gradebook.sqlite") as gradebook:

@@ -175,7 +175,7 @@ def test_a_record_takes_the_first_attempt_that_tells():
     assert any(record.attempt for record in records)
 
 
-@pytest.mark.parametrize("room", ["variant", "proof.telling"])
+@pytest.mark.parametrize("room", ["variants.variant", "proof.telling"])
 def test_where_no_draw_tells_the_one_against_which_least_speaks_is_taken(
     tmp_path, monkeypatch, room
 ):
@@ -190,7 +190,7 @@ def test_where_no_draw_tells_the_one_against_which_least_speaks_is_taken(
         return iter([never] * count)
 
     monkeypatch.setattr(f"kinegrade.course.{room}.objections", against)
-    if room == "variant":
+    if room == "variants.variant":
         numbers = draw_record(SECRET, "one", "ada", lever(tmp_path), ()).numbers
     else:
         numbers, refused = accepted(lever(tmp_path), 0)

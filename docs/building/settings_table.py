@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from griffe import Docstring, DocstringSectionKind
-from kinegrade.course.settings import toml_tables as settings
+from kinegrade.course.settings import toml_tables
 from kinegrade.course.settings.toml_tables import Settings
 from mkdocs.structure.pages import Page
 from pydantic import BaseModel
@@ -53,7 +53,7 @@ def rows(model: type[BaseModel], own: Schema, whole: Schema, path: str) -> Itera
             default = _default(keys[name], required=name in own.get("required", ()))
             yield f"| `{name}` | {_takes(keys[name])} | {default} | {said[name]} |"
     for inner, below in tables:
-        yield from rows(getattr(settings, inner), whole["$defs"][inner], whole, below)
+        yield from rows(getattr(toml_tables, inner), whole["$defs"][inner], whole, below)
 
 
 def _summary(model: type[BaseModel]) -> str:
@@ -64,7 +64,7 @@ def described(model: type[BaseModel]) -> dict[str, str]:
     """What the docstrings of a model, and of those it is made of, say of each key."""
     found: dict[str, str] = {}
     for one in reversed(model.__mro__):
-        if one.__module__ != settings.__name__ or not one.__doc__:
+        if one.__module__ != toml_tables.__name__ or not one.__doc__:
             continue
         for section in Docstring(one.__doc__).parse("google", warnings=False):
             if section.kind is not DocstringSectionKind.attributes:
