@@ -192,6 +192,12 @@ def test_the_map_shows_the_own_q_on_the_arm_that_is_drawn(course, slug):
     assert "your q</text>" in text
 
 
+def test_the_map_speaks_the_language_of_the_sheet(course):
+    text = feedback(course, EXERCISES["rrt"], [], v=variant_of("rrt"), language="de")
+    assert "Ihr q</text>" in text
+    assert "<title>Wo Ihr Arm singulär ist und wo Sie sind</title>" in text
+
+
 @pytest.mark.parametrize("slug", ["find_the_mistake", "implement_it", "cross_products"])
 def test_there_is_no_map_where_the_exercise_has_no_robot_with_one(course, slug):
     assert 'class="own-map"' not in feedback(course, EXERCISES[slug], [], v=variant_of(slug))

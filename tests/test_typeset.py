@@ -3,6 +3,7 @@
 import re
 
 import pytest
+from kinegrade.course.language.speech import speaking
 from kinegrade.course.typeset.formula import formula
 from kinegrade.course.typeset.mathml import FormulaError
 from kinegrade.course.typeset.prose import line, prose
@@ -64,6 +65,24 @@ def test_a_formula_in_typst(latex, typst):
 )
 def test_a_formula_in_words(latex, words):
     assert formula(latex).alt == words
+
+
+@pytest.mark.parametrize(
+    ("latex", "words"),
+    [
+        (r"\dot q_1 = -\frac{1}{x^2}", "q Punkt Index 1 gleich minus (1) durch (x Quadrat)"),
+        (r"\mathbf T_0^{2}", "T Index 0 hoch 2"),
+        (
+            r"\begin{bmatrix} 1 & 2 \\ 3 & 4 \end{bmatrix}",
+            "2-mal-2-Matrix, Zeile 1: 1, 2; Zeile 2: 3, 4;",
+        ),
+    ],
+)
+def test_a_formula_in_the_words_of_a_german_sheet(latex, words):
+    english = formula(latex).alt
+    with speaking("de"):
+        assert formula(latex).alt == words
+    assert formula(latex).alt == english
 
 
 @pytest.mark.parametrize(

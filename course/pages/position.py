@@ -12,8 +12,11 @@ from ...exercises.exercise import Exercise
 from ...solutions.kinematics import forward
 from ...solutions.robot import Robot
 from ...solutions.robots import robot
+from ..language.speech import later, phrase
 
 Array = NDArray[np.float64]
+TITLE = later("Where your arm is singular, and where you are")
+HERE = later("your q")
 SAME = 1e-6  # [m]: of one tool point that is computed in two ways
 
 
@@ -25,7 +28,8 @@ def position(exercise: Exercise, v: dict[str, Any] | None) -> Markup | None:
         if arm.n >= 2 and _is_drawn(exercise, v, arm.frames(lengths, q)[-1]):
             from ...grader.figures.own_map import own_map
 
-            return Markup(own_map(arm, lengths, q))  # noqa: S704 - its words and numbers are ours
+            svg = own_map(arm, lengths, q, phrase(TITLE), phrase(HERE))
+            return Markup(svg)  # noqa: S704 - its words and numbers are ours
     return None
 
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 from xml.etree.ElementTree import Element
 
+from ..language.speech import Language, language_spoken
 from .mathml import FormulaError, is_upright, rows, side_by_side, tag, text, tree
 from .spoken import spoken
 
@@ -48,13 +49,17 @@ class Formula:
         return not self.rows
 
 
-@lru_cache(maxsize=4096)
 def formula(latex: str) -> Formula:
-    """A formula in LaTeX for Typst.
+    """A formula in LaTeX for Typst, in the words of the language spoken.
 
     Raises:
         FormulaError: it holds what is not known here; the sentence says what.
     """
+    return _formula_in(language_spoken(), latex)
+
+
+@lru_cache(maxsize=4096)
+def _formula_in(_: Language, latex: str) -> Formula:
     root = tree(latex)
     try:
         pieces = [_formula(piece) for piece in side_by_side(root)]

@@ -1,30 +1,32 @@
-"""Formulas in words, for readers who listen: a walk along their MathML."""
+"""Formulas in words, in the language spoken, for readers who listen: a walk along their MathML."""
 
 from collections.abc import Callable, Sequence
 from unicodedata import normalize
 from xml.etree.ElementTree import Element
 
+from ..language.speech import later, phrase
 from .mathml import rows, tag, text
 
+PRIME = "′"
 WORDS = {
-    "−": "minus",
-    "×": "times",
-    "·": "times",
-    "⋅": "times",
-    "⋯": "and so on",
-    "…": "and so on",
-    "=": "equals",
-    "+": "plus",
-    "/": "per",
-    "˙": "dot",
-    "¨": "double dot",
-    "^": "hat",
-    "~": "tilde",
-    "→": "arrow",
-    "¯": "bar",
-    "―": "bar",
-    "′": "prime",
-    "⏟": "brace",
+    "−": later("minus"),
+    "×": later("times"),
+    "·": later("times"),
+    "⋅": later("times"),
+    "⋯": later("and so on"),
+    "…": later("and so on"),
+    "=": later("equals"),
+    "+": later("plus"),
+    "/": later("per"),
+    "˙": later("dot"),
+    "¨": later("double dot"),
+    "^": later("hat"),
+    "~": later("tilde"),
+    "→": later("arrow"),
+    "¯": later("bar"),
+    "―": later("bar"),
+    PRIME: later("prime"),
+    "⏟": later("brace"),
 }
 """What a sign is called; others are read as they stand."""
 
@@ -62,7 +64,8 @@ def _without_brackets(elements: Sequence[Element]) -> list[Element]:
 
 def _leaf(element: Element) -> str:
     plain = normalize("NFKC", text(element))  # a bold letter may be a character of its own
-    return WORDS.get(text(element), plain)
+    word = WORDS.get(text(element))
+    return phrase(word) if word else plain
 
 
 def _space(element: Element) -> str:
@@ -71,17 +74,16 @@ def _space(element: Element) -> str:
 
 def _sub(element: Element) -> str:
     base, below = element
-    return f"{spoken(base)} sub {spoken(below)}"
+    return phrase("{base} sub {below}", base=spoken(base), below=spoken(below))
 
 
 def _sup(element: Element) -> str:
     base, above = element
-    said = spoken(above)
-    if said == "prime":
-        return f"{spoken(base)} prime"
-    if said == "2" and not _is_bold(base):
-        return f"{spoken(base)} squared"
-    return f"{spoken(base)} super {said}"
+    if text(above) == PRIME:
+        return f"{spoken(base)} {spoken(above)}"
+    if text(above) == "2" and not _is_bold(base):
+        return phrase("{base} squared", base=spoken(base))
+    return phrase("{base} super {above}", base=spoken(base), above=spoken(above))
 
 
 def _is_bold(base: Element) -> bool:
@@ -91,21 +93,28 @@ def _is_bold(base: Element) -> bool:
 
 def _sub_sup(element: Element) -> str:
     base, below, above = element
-    return f"{spoken(base)} sub {spoken(below)} super {spoken(above)}"
+    return phrase(
+        "{base} sub {below} super {above}",
+        base=spoken(base),
+        below=spoken(below),
+        above=spoken(above),
+    )
 
 
 def _fraction(element: Element) -> str:
     above, below = element
-    return f"({spoken(above)}) over ({spoken(below)})"
+    return phrase("({above}) over ({below})", above=spoken(above), below=spoken(below))
 
 
 def _square_root(element: Element) -> str:
-    return f"the square root of ({_row(element)})"
+    return phrase("the square root of ({radicand})", radicand=_row(element))
 
 
 def _root(element: Element) -> str:
     radicand, index = element
-    return f"the root {spoken(index)} of ({spoken(radicand)})"
+    return phrase(
+        "the root {index} of ({radicand})", index=spoken(index), radicand=spoken(radicand)
+    )
 
 
 def _matrix(table: Element) -> str:
@@ -114,9 +123,10 @@ def _matrix(table: Element) -> str:
     said: list[str] = []
     for number, row in enumerate(cells, 1):
         entries = ", ".join(spoken(cell) for cell in row)
-        said.append(f"row {number}: {entries}")
+        said.append(phrase("row {number}: {entries}", number=number, entries=entries))
     columns = max(len(row) for row in cells)
-    return f"{len(cells)} by {columns} matrix, {'; '.join(said)};"
+    size = phrase("{rows} by {columns} matrix", rows=len(cells), columns=columns)
+    return f"{size}, {'; '.join(said)};"
 
 
 SPEAKERS: dict[str, Callable[[Element], str]] = {

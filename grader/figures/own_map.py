@@ -37,7 +37,6 @@ BOUNDS = (-1.0, 0.04, 0.12, 0.25, 0.42, 0.65, 2.0)
 BANDS = ("#00224e", "#3c5580", "#7388a9", "#a7b5ca", "#d0d9e4", "#eef2f6")
 DASHES = ("none", "7 3", "2 2.5", "9 3 2 3")
 RIGHT_ANGLES = {-180: "−180°", -90: "−90°", 0: "0", 90: "90°", 180: "180°"}
-TITLE = "Where your arm is singular, and where you are"
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,11 +52,11 @@ class _Axis:
         return np.interp(values, self.span, self.ends)
 
 
-def own_map(robot: "Robot", parameters: Parameters, q: Array) -> str:
+def own_map(robot: "Robot", parameters: Parameters, q: Array, title: str, here: str) -> str:
     """The map over q2 and q3 (of a two-joint arm: q1 and q2) through `q` (n,), with a mark at it.
 
     In a dark band the arm all but loses a direction of motion; curves are the factors of its
-    determinant.
+    determinant. The drawing is called `title`, and the mark `here`.
     """
     part = arm(robot, parameters)
     first, second = (0, 1) if part.chain.n == 2 else (1, 2)
@@ -72,13 +71,13 @@ def own_map(robot: "Robot", parameters: Parameters, q: Array) -> str:
         values = factor_values(robot, parameters, grid)
         curves = _curves(across, up, {f.name: values[f.name] for f in part.factors})
     drawn += curves
-    drawn += [*_edge(part, across), *_edge(part, up), *_mark(part, across, up, q)]
+    drawn += [*_edge(part, across), *_edge(part, up), *_mark(part, across, up, q, here)]
     body = "\n".join(drawn)
     frame = f"{FRAME} {TALL + LINE * len(curves)}"
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" class="own-map" viewBox="{frame}" width="296"'
-        f' role="img"><title>{TITLE}</title><g font-family="{FONTS}" font-size="13">\n{body}\n'
-        "</g></svg>"
+        f' role="img"><title>{text_xml(title)}</title>'
+        f'<g font-family="{FONTS}" font-size="13">\n{body}\n</g></svg>'
     )
 
 
@@ -164,7 +163,7 @@ def _round_values(span: tuple[float, float]) -> list[float]:
     return [0.0, float(np.floor(span[1] / step) * step)]
 
 
-def _mark(part: RegionalArm, across: _Axis, up: _Axis, q: Array) -> list[str]:
+def _mark(part: RegionalArm, across: _Axis, up: _Axis, q: Array, name: str) -> list[str]:
     """A ring at the own q, with its name beside it."""
     x, y = (float(axis.pixels(_turned(part, axis, q))) for axis in (across, up))
     beside = f'x="{px(x + 10)}" text-anchor="start"'
@@ -175,8 +174,8 @@ def _mark(part: RegionalArm, across: _Axis, up: _Axis, q: Array) -> list[str]:
     return [
         f'{ring} stroke="#fff" stroke-width="5"/>',
         f'{ring} stroke="#1d2733" stroke-width="2.4"/>',
-        f'<text {words} stroke="#fff" stroke-width="4" fill="#fff">your q</text>',
-        f'<text {words} fill="#1d2733">your q</text>',
+        f'<text {words} stroke="#fff" stroke-width="4" fill="#fff">{text_xml(name)}</text>',
+        f'<text {words} fill="#1d2733">{text_xml(name)}</text>',
     ]
 
 
