@@ -451,6 +451,17 @@ def test_a_full_disk_is_one_sentence(kinegrade, tmp_path, monkeypatch):
     assert complaint(kinegrade("init", tmp_path)) == "a.toml: No space left on device"
 
 
+def test_a_disk_that_fills_up_while_a_file_is_written_names_the_file(
+    kinegrade, tmp_path, monkeypatch
+):
+    full = OSError(28, "No space left on device")
+    monkeypatch.setattr("kinegrade.course.machine.files.os.fsync", failing(full))
+    said = complaint(kinegrade("init", tmp_path / "new"))
+    assert said.startswith(str(tmp_path / "new"))
+    assert said.endswith(": No space left on device")
+    assert not list(tmp_path.rglob("*.part"))
+
+
 def test_a_stopped_run_says_that_it_can_go_on(kinegrade, tmp_path, monkeypatch):
     monkeypatch.setattr(
         "kinegrade.course.commands.new_course.write_course", failing(KeyboardInterrupt())

@@ -359,3 +359,36 @@ def test_right_answers_in_an_archive_are_marked_as_those_beside_it(course, kineg
     assert "Not read: <code>one.ipynb</code>." in page
     assert kinegrade("report", "--course", course.folder).code == 0
     assert (course.folder / "feedback" / "ben" / "one.html").read_text(encoding="utf-8") == page
+
+
+@pytest.mark.parametrize("name", [b"data\xff.csv", b"one\xff.csv", b"one \xff.py"])
+def test_a_name_that_is_no_text_stops_nobody(course, name):
+    put(course, "one.ipynb", b'{"cells": [], "says": "data\xff.csv"}')
+    put(course, os.fsdecode(name), at=5e8)
+    assert named(course)[0] == "one.ipynb"
+    assert found(course).beside() == {}
+
+
+def test_a_file_beside_a_notebook_that_cannot_be_read_is_named(course, monkeypatch):
+    put(course, "one.ipynb", b'{"cells": "data.csv"}')
+    put(course, "data.csv")
+    submission = found(course)
+    monkeypatch.setattr("pathlib.Path.read_bytes", refuses)
+    with pytest.raises(CourseError, match=r"data\.csv cannot be read: Permission denied"):
+        submission.beside()
+
+
+def test_a_folder_that_cannot_be_looked_into_is_no_missing_submission(course, kinegrade):
+    own = course.folder / "submitted" / "ada"
+    own.parent.mkdir()
+    own.symlink_to("ada")
+    put(course, "one.json", b"{}", student="ben")
+    ran = kinegrade("grade", "--course", course.folder, "--json")
+    results = {result["student"]: result for result in json.loads(ran.out)}
+    assert results["ben"]["status"] == "graded"
+    assert (results["ada"]["status"], results["ada"]["points"]) == ("not_graded", None)
+    assert "submitted/ada cannot be looked into" in results["ada"]["reason"]
+
+
+def refuses(_path):
+    raise PermissionError(13, "Permission denied")

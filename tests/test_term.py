@@ -3,6 +3,7 @@
 import json
 import os
 from datetime import UTC, datetime, timedelta
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -400,6 +401,43 @@ def test_a_request_is_listed_until_somebody_answers_it(tmp_path, kinegrade):
     kinegrade("marks", "set", "ada", "lever_J", "--comment", "The drawing is right.", *at)
     assert kinegrade("marks", "requests", *at).out == ""
     assert "answered" in kinegrade("marks", "requests", "--all", *at).out
+
+
+@pytest.mark.parametrize("kind", ["link", "second name", "folder"])
+def test_a_request_that_leads_to_somebody_elses_file_asks_for_nothing(tmp_path, kinegrade, kind):
+    course = make_course(tmp_path)
+    own = course / "submitted" / "ada"
+    path = own / "one.request.txt"
+    own.parent.mkdir()
+    if kind == "folder":
+        other = course / "other"
+        other.mkdir()
+        (other / path.name).write_text("Private.", encoding="utf-8")
+        own.symlink_to(other)
+    elif kind == "link":
+        own.mkdir()
+        path.symlink_to(course / "secret")
+    else:
+        own.mkdir()
+        path.hardlink_to(course / "secret")
+    assert kinegrade("marks", "requests", "--course", course).out == ""
+
+
+def test_a_request_that_cannot_be_read_is_listed_as_such(tmp_path, kinegrade, monkeypatch):
+    course = make_course(tmp_path)
+    path = course / "submitted" / "ada" / "one.request.txt"
+    path.parent.mkdir(parents=True)
+    path.write_text("Please.", encoding="utf-8")
+    opened = Path.open
+
+    def refuses(self, *args, **more):
+        if self == path:
+            raise PermissionError(13, "Permission denied")
+        return opened(self, *args, **more)
+
+    monkeypatch.setattr("pathlib.Path.open", refuses)
+    listed = kinegrade("marks", "requests", "--course", course).out
+    assert "one.request.txt cannot be read: Permission denied" in listed
 
 
 def test_a_request_file_is_no_submission(tmp_path):

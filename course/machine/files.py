@@ -9,7 +9,11 @@ PART = ".*.part"
 
 
 def write_atomically(path: Path, data: bytes | str, mode: int = 0o644) -> None:
-    """The whole new content or the old: written under a temporary name, synced, then renamed."""
+    """The whole new content or the old: written under a temporary name, synced, then renamed.
+
+    Raises:
+        OSError: it cannot be written; its filename is set, also where the system names none.
+    """
     path.parent.mkdir(parents=True, exist_ok=True)
     if isinstance(data, str):
         # A student's text may hold half a surrogate pair, for which a question mark stands.
@@ -22,6 +26,10 @@ def write_atomically(path: Path, data: bytes | str, mode: int = 0o644) -> None:
             os.fsync(file.fileno())
         os.chmod(name, mode)  # noqa: PTH101 - mkstemp gives 0600; a sheet is for its student
         os.replace(name, path)  # noqa: PTH105
+    except OSError as error:
+        Path(name).unlink(missing_ok=True)
+        error.filename = str(path)  # a full disk names no file, and ours is a temporary one
+        raise
     except BaseException:
         Path(name).unlink(missing_ok=True)
         raise

@@ -71,6 +71,7 @@ class Incoming:
             return self.waits(student, self._damaged[student.id])
         try:
             submission = self._hand_ins.of(student.id)
+            beside = submission.beside() if submission else {}
         except CourseError as error:
             return self.waits(student, str(error))
         if submission is None:
@@ -79,7 +80,6 @@ class Incoming:
         if len(records) < len(self._exercises):
             return self.waits(student, NO_SHEET)
 
-        beside = submission.beside()
         rules = self._rules(records, self._handed_out.moved(student.id), submission, beside)
         key = GradeKey(student.id, self._sheet.name, digest(submission.data), rules)
         return Arrival(student, submission, beside, key)

@@ -9,6 +9,7 @@ from ..ledger.term import Request
 from ..settings.asked import asked_parts, exercises_of
 from ..settings.config import Course, Sheet
 from ..sheet.about import REQUEST
+from ..sheet.upload import is_own_file
 from ..text.escape import printable_lines
 
 MOST = 20_000  # bytes that are read of a file
@@ -41,12 +42,16 @@ def read_requests(course: Course, gradebook: Gradebook, sheet: Sheet) -> list[Re
 def _read(path: Path, names: list[str]) -> dict[str, str]:
     """The text of each part; what stands before the first is about the whole sheet.
 
-    Other people's files, pipes and what is no text ask for nothing.
+    Other people's files, pipes and what is no text ask for nothing; a file that cannot be read
+    asks for somebody to look.
     """
-    if path.is_symlink() or not path.is_file():
+    if path.parent.is_symlink() or not is_own_file(path):
         return {}
-    with path.open("rb") as file:
-        text = file.read(MOST).decode("utf-8-sig", errors="replace")
+    try:
+        with path.open("rb") as file:
+            text = file.read(MOST).decode("utf-8-sig", errors="replace")
+    except OSError as error:
+        return {WHOLE: f"{path.name} cannot be read: {error.strerror}"}
 
     found: dict[str, list[str]] = {}
     part = WHOLE

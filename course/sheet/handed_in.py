@@ -13,7 +13,7 @@ from .archive import ZIP, uploads_in
 from .file_names import called_after, looks_like
 from .gathering import Wanted, gathered, refused
 from .submissions import MAX_BESIDE, READERS, RUN, Submission, submission_of
-from .upload import Upload, on_disk, refuse_links, visible_names
+from .upload import Upload, mentions, on_disk, refuse_links, visible_names
 from .versions import Ages, newest, not_beside
 
 Received = Mapping[tuple[str, str, str], datetime]
@@ -173,7 +173,7 @@ def _beside(counts: Upload, data: bytes, uploads: Iterable[Upload]) -> dict[str,
     for one in uploads:
         if one is counts or one.path.parent != counts.path.parent:
             continue
-        if one.path.stem.encode() in data and one.size <= left:
+        if mentions(data, one.path.stem) and one.size <= left:
             found[one.path.name] = one.data
             left -= one.size
     return found

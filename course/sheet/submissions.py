@@ -18,7 +18,7 @@ from ...grader.collecting.wire import Raw
 from ...grader.jail.jail import Jail
 from ..errors import CourseError
 from .about import NOTEBOOK, SCRIPT
-from .upload import Upload, on_disk, visible_names
+from .upload import Upload, is_own_file, mentions, on_disk, visible_names
 
 __all__ = ["NOTEBOOK", "READERS", "RUN", "SCRIPT", "Submission", "read_submission"]
 
@@ -91,6 +91,9 @@ class Submission:
         """Files in the same folder that the notebook mentions, by name: data, modules.
 
         No links, as these may lead anywhere, and no more than a jail holds.
+
+        Raises:
+            CourseError: one of them cannot be read.
         """
         if self.packed is not None:
             return dict(self.packed)
@@ -100,13 +103,12 @@ class Submission:
             return found
         for name in visible_names(self.path.parent):
             path = self.path.parent / name
-            if name == self.path.name or path.stem.encode() not in self.data:
+            if name == self.path.name or not mentions(self.data, path.stem):
                 continue
-            if path.is_symlink() or not path.is_file() or path.stat().st_nlink > 1:
+            upload = on_disk(path)
+            if not is_own_file(path) or upload.size > left:
                 continue
-            if path.stat().st_size > left:
-                continue
-            found[name] = path.read_bytes()
+            found[name] = upload.read()
             left -= len(found[name])
         return found
 

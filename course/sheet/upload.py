@@ -1,5 +1,6 @@
 """A file that a student handed in, on the disk or within a zip archive."""
 
+import stat
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -86,17 +87,40 @@ def refuse_links(path: Path) -> None:
         )
 
 
+def is_own_file(path: Path) -> bool:
+    """Whether there is a file that is no link, and has no second name."""
+    try:
+        about = path.lstat()
+    except OSError:
+        return False
+    return stat.S_ISREG(about.st_mode) and about.st_nlink == 1
+
+
 def is_unseen(name: str) -> bool:
     """Whether a name is one of those that systems hide."""
     return name.startswith(UNSEEN)
 
 
+def mentions(data: bytes, name: str) -> bool:
+    """Whether a file has a name in it; one of bytes that are no text stands in no text."""
+    try:
+        return name.encode() in data
+    except UnicodeEncodeError:
+        return False
+
+
 def visible_names(folder: Path) -> list[str]:
-    """What lies in a folder, sorted, without files that systems hide; nothing where none is."""
+    """What lies in a folder, sorted, without files that systems hide; nothing where none is.
+
+    Raises:
+        CourseError: there is a folder, and it cannot be looked into.
+    """
     try:
         names = sorted(path.name for path in folder.iterdir())
-    except OSError:
+    except (FileNotFoundError, NotADirectoryError):
         return []
+    except OSError as error:
+        raise CourseError(f"{folder} cannot be looked into: {error.strerror}") from error
     return [name for name in names if not is_unseen(name)]
 
 

@@ -1,5 +1,6 @@
 """Several files of a student for one sheet: which of them counts, and which lie beside another."""
 
+import os
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -9,7 +10,7 @@ from typing import Any
 
 from ..errors import CourseError
 from .submissions import READERS, RUN
-from .upload import Upload
+from .upload import Upload, mentions
 
 MATLAB = ".m"
 
@@ -82,6 +83,6 @@ def _takes(run: Upload, other: Upload) -> bool:
     except CourseError:
         return False
     if other.ending not in RUN:
-        return other.path.name.encode() in data
+        return mentions(data, other.path.name)
     imported = rf"\b(?:from|import)\s+{re.escape(other.path.stem)}\b"
-    return re.search(imported.encode(), data) is not None
+    return re.search(os.fsencode(imported), data) is not None
