@@ -45,7 +45,10 @@ STOPPED_BY = {
         "network_udp",
     ],
     "rlimits": ["folder_sparse_file"],
-    "alarms": ["answer_array_protocol_that_loops", "answer_function_that_loops", "limit_loop", "limit_regular_expression", "limit_sleep"],
+    "alarms": [
+        "answer_array_protocol_that_loops", "answer_function_that_loops", "limit_loop",
+        "limit_regular_expression", "limit_sleep",
+    ],
     "the bound of a frame": ["frame_of_a_huge_length"],
 }  # fmt: skip
 
