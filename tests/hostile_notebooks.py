@@ -12,9 +12,11 @@ FOLDER = Path(__file__).parent / "hostile"
 PAGE = Path(__file__).parents[1] / "docs" / "hostile.md"
 LEVELS = ("strong", "medium")
 CELL = "# %%\n"
+NAMES = r"[xyf]|process|reached"
 CLAIM = re.compile(
-    r"(?P<name>[xyf]|process) (?P<verb>refused|lost|stopped|ended|is) ?(?P<value>.*)"
+    rf"(?P<name>{NAMES}) (?P<verb>refused|lost|again|ended|is)(?:: | |$)(?P<value>.*)"
 )
+NEXT_CLAIM = re.compile(rf"; (?=(?:{NAMES}) (?:refused|lost|again|ended|is)\b)")
 KINDS = {
     "answer": "Answers that are none, and tools turned round",
     "course": "The course, its secret, its gradebook, and classmates",
@@ -32,14 +34,15 @@ INTRODUCTION = """\
 
 Written by `python tests/hostile_notebooks.py` from [tests/hostile/](../tests/hostile), one file a row; tests/test_hostile.py
 runs each at both [levels](security.md) beside a course with a secret, a gradebook, classmates' files and open sockets. Every
-notebook is asked for two variables, `x` and `y`, and a function `f`, called with 1 and 2.
+notebook is asked for two variables, `x` and `y`, and a function `f`, called with 1 and 2, and for `reached`, which it sets
+where its attack begins: a notebook that stops before that proves nothing, and fails.
 
 | words | what is found |
 |---|---|
-| refused | each attempt stopped with an error, and the notebook went on |
-| lost | there is no such answer, and a sentence says why |
-| stopped | it was stopped at a limit, and so has no such answer |
-| process ended | the kernel ended the notebook at once |
+| refused | each attempt stopped with an error of the kernel, or one of those that are named, and the notebook went on |
+| lost | there is no such answer, for good, and the student reads this sentence after "In your file"; `*` is any text |
+| again | there is no such answer yet: it is not graded, with this sentence, and run again |
+| process ended | the kernel ended the notebook at once, at a call that only an attack makes |
 | is | this is the answer: its own, whatever it did to the tools around it |
 
 And always: the course and the folders around it are unchanged byte for byte, nothing of the secret is in what came back,
@@ -70,8 +73,11 @@ class Hostile:
 
     @property
     def claims(self):
-        """What must hold, one by one."""
-        return [_claim(text.strip(), self.name) for text in self.must.split(";")]
+        """What must hold, one by one; that the attack was reached, where nothing else shows it."""
+        claims = [_claim(text.strip(), self.name) for text in NEXT_CLAIM.split(self.must)]
+        if any(claim.name in ("process", "reached") for claim in claims):
+            return claims
+        return [*claims, Claim("reached", "is", 1)]
 
 
 def hostile_notebooks():
@@ -126,15 +132,19 @@ def _claim(text, where):
     if not found:
         message = f"{where}: a claim is such as 'x refused' or 'x is 1', got {text!r}"
         raise ValueError(message)
+    if found["verb"] in ("lost", "again") and not found["value"]:
+        message = f"{where}: {text!r} takes the sentence that the student reads"
+        raise ValueError(message)
     if found["verb"] == "is":
         return Claim(found["name"], "is", ast.literal_eval(found["value"]))
-    return Claim(found["name"], found["verb"])
+    return Claim(found["name"], found["verb"], found["value"])
 
 
 def _row(each):
     link = f"[{each.name}](../tests/hostile/{each.name}.py)"
     ends = [each.through.get(level, "holds") for level in LEVELS]
-    texts = [text.replace("|", "\\|") for text in (each.tries, each.must)]
+    must = each.must.replace("<", "&lt;").replace("*", "\\*")  # as text, not as a tag or as stress
+    texts = [text.replace("|", "\\|") for text in (each.tries, must)]
     return f"| {' | '.join([link, *texts, *ends])} |"
 
 

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from kinegrade.grader.collecting import ask, wire
 from kinegrade.grader.collecting.ask import Ask, AskError, Limits
-from kinegrade.grader.collecting.collect import cannot_run, collect
+from kinegrade.grader.collecting.collect import CRASHED, cannot_run, collect
 from kinegrade.grader.inside import limits as inside
 from kinegrade.grader.jail.jail import best_level
 from kinegrade.grader.jail.level import ANY, JailError
@@ -207,7 +207,12 @@ def test_a_cell_that_ends_or_blocks_the_process_leaves_the_earlier_answers(code)
     )
     assert value(found["a"]) == 1
     assert found["c"].kind in ("error", "interrupted")  # the latter on a machine that is busy
-    reasons = ("stopped after 4 s", "after 4 s the notebook had", "ended its own process")
+    reasons = (
+        "stopped after 4 s",
+        "after 4 s the notebook had",
+        "ended its own process",
+        "crashed",
+    )
     assert any(reason in found["c"].value for reason in reasons)
 
 
@@ -411,7 +416,24 @@ def test_an_error_that_loops_while_it_is_told_costs_only_its_words():
     code = (
         "class E(Exception):\n    def __str__(self):\n        while True: pass\ndef f(x): raise E"
     )
-    assert results(call(code))[2] == "call 3 stopped with E: "
+    assert results(call(code))[2] == "call 3 stopped with E"
+
+
+@pytest.mark.parametrize("name", ["\\x1b[2J", "\\u202e", "", "a b"])
+def test_an_error_whose_class_has_no_name_is_told_without_it(name):
+    raised = f"class E(Exception): pass\nE.__name__ = '{name}'\nx = 1\nraise E"
+    assert collect(notebook(raised), [Ask("x")], LOOPS)["x"].note == "cell 1 stopped with an error"
+
+
+def test_an_answer_that_never_becomes_an_array_took_too_long():
+    code = "class E:\n    def __array__(self, *a, **k):\n        while True: pass\nx = E()"
+    found = collect(notebook(code), [Ask("x")], LOOPS)["x"]
+    assert found.value == f"could not be read (it took longer than {LOOPS.cell_seconds:g} s)"
+
+
+def test_python_that_crashed_is_not_called_a_notebook_that_ended_itself():
+    crash = notebook("x = 1", "import ctypes\nctypes.string_at(0)", "y = 2")
+    assert collect(crash, [Ask("y")])["y"].value == CRASHED
 
 
 def test_every_call_gets_lists_of_its_own():

@@ -2,11 +2,12 @@
 
 import ctypes
 import os
+import re
 import select
 import signal
 import site
 import socket
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -17,21 +18,17 @@ from jails import WALLED, skip_without
 from kinegrade.grader.collecting.ask import Ask, Limits
 from kinegrade.grader.collecting.collect import FORBIDDEN, collect
 from kinegrade.grader.jail.jail import FOR_MANY, Jail
+from kinegrade.grader.jail.level import Level
 from kinegrade.grader.jail.machine import INSIDE
 
 HOSTILE = hostile_notebooks()
 ASKS = [Ask("x"), Ask("y"), Ask("f", ((1.0,), (2.0,)))]
+UNANSWERED = {"lost": ("error", "missing"), "again": ("interrupted",)}
+REACHED = Ask("reached")  # by the attack, at its point
 CANARY = "a canary that no notebook may bring back"
 MARK = "hostile-was-here"  # the name of every file that is written where none may be
 BESIDE = "measured.csv"
-REFUSALS = {
-    "ImportError",
-    "PermissionError",
-    "FileNotFoundError",
-    "ModuleNotFoundError",
-    "OSError",
-    "ValueError",
-}
+REFUSALS = {"PermissionError", "FileNotFoundError", "OSError"}
 ADOPT_ORPHANS = 36
 NEXT = """
 import os, sys, json, gc, time, signal
@@ -145,26 +142,22 @@ def next_one(jail):
     assert [float(raw.value) for raw in raws["f"].value] == [1 / 3, 2 / 3]
 
 
+def says(pattern, sentence):
+    """Whether a sentence is this one, from its first letter to its last; * is any text."""
+    pieces = [re.escape(piece) for piece in pattern.split("*")]
+    return re.fullmatch(".*".join(pieces), sentence, re.DOTALL) is not None
+
+
 def holds(claim, raws):
     """Whether one claim is true of what came back."""
     if claim.name == "process":
         return any(raw.value == FORBIDDEN for raw in raws.values())
     raw = raws[claim.name]
     if claim.verb == "refused":
-        return raw.kind == "text" and set(np.ravel(raw.value)) <= REFUSALS
-    if claim.verb == "lost":
-        return raw.kind in ("error", "missing") and FORBIDDEN not in str(raw.value)
-    if claim.verb == "stopped":
-        words = (
-            "stopped after",
-            "ran longer",
-            "took longer",
-            "was stopped",
-            "memory",
-            "more",
-            "it waited",
-        )
-        return raw.kind in ("error", "interrupted") and any(word in raw.value for word in words)
+        allowed = REFUSALS | set(filter(None, claim.value.split(", ")))
+        return raw.kind == "text" and set(np.ravel(raw.value)) <= allowed
+    if claim.verb in UNANSWERED:
+        return raw.kind in UNANSWERED[claim.verb] and says(claim.value, raw.value)
     return values_of(raw) == claim.value
 
 
@@ -187,7 +180,7 @@ def test_a_hostile_notebook_gets_nothing_and_leaves_nothing(request, walled, tow
     data = as_notebook(hostile, town.first)
     limits = Limits(cell_seconds=1, notebook_seconds=hostile.seconds, memory_mb=1024, file_mb=4)
     beside = {BESIDE: (town.course / "submitted" / "ada" / BESIDE).read_bytes()}
-    raws = collect(data, ASKS, limits, jail=walled, beside=beside)
+    raws = collect(data, [*ASKS, REACHED], limits, jail=walled, beside=beside)
 
     assert [claim for claim in hostile.claims if not holds(claim, raws)] == [], raws
     assert CANARY not in str(raws)
@@ -199,6 +192,42 @@ def test_a_hostile_notebook_gets_nothing_and_leaves_nothing(request, walled, tow
     assert descendants(os.getpid()) - waits(walled) <= others
     assert len(waits(walled)) <= 2
     assert [signal.getsignal(number) for number in signal.valid_signals()] == signals
+
+
+@pytest.mark.slow
+def test_a_notebook_that_stops_at_its_first_line_is_found_out(town):
+    skip_without(Level.MEDIUM)
+    limits = Limits(cell_seconds=1, notebook_seconds=20)
+    unnoticed = []
+    with Jail(level=Level.MEDIUM, preload=FOR_MANY) as jail:
+        for hostile in HOSTILE:
+            cells = tuple(f"no_such_name\n{cell}" for cell in hostile.cells)
+            data = as_notebook(replace(hostile, cells=cells), town.first)
+            raws = collect(data, [*ASKS, REACHED], limits, jail=jail)
+            if all(holds(claim, raws) for claim in hostile.claims):
+                unnoticed.append(hostile.name)
+    assert unnoticed == []
+
+
+@pytest.mark.parametrize("must", ["x lost", "x again", "x is", "x stopped", "z is 1", "x lost "])
+def test_a_claim_that_says_too_little_is_refused(must):
+    hostile = replace(HOSTILE[0], must=must)
+    with pytest.raises((ValueError, SyntaxError)):
+        _ = hostile.claims
+
+
+@pytest.mark.parametrize(
+    ("pattern", "sentence", "said"),
+    [
+        ("cell 2 stopped", "cell 2 stopped", True),
+        ("cell 2 stopped", "cell 2 stopped with NameError", False),
+        ("stopped", "cell 2 stopped", False),
+        ("cell 2 * (a)", "cell 2 is (a)", True),
+        ("cell 2 * (a)", "cell 2 is a", False),
+    ],
+)
+def test_a_sentence_is_compared_from_its_first_letter_to_its_last(pattern, sentence, said):
+    assert says(pattern, sentence) == said
 
 
 def test_there_are_a_hundred_notebooks_of_every_kind():

@@ -26,6 +26,8 @@ WAITED = (
     "after {seconds:g} s the notebook had computed for {cpu:.1f} s only: "
     "it waited, or this machine was busy; it will be run again"
 )
+CRASHES = (signal.SIGSEGV, signal.SIGABRT, signal.SIGFPE, signal.SIGILL)
+CRASHED = "Python itself crashed before the notebook finished"
 FORBIDDEN = "a cell did what no notebook may, and its process was stopped"
 
 
@@ -108,6 +110,7 @@ def _instead(end: End | None, limits: Limits) -> Raw | None:
             SIGSYS: FORBIDDEN,
             SIGKILL: f"the notebook computed for more than {seconds:g} s",
         }
+        said |= dict.fromkeys(CRASHES, CRASHED)
         return Raw("error", said.get(end.signal, ENDED))
     return None
 

@@ -73,7 +73,8 @@ def stopped(error, seconds):
     if isinstance(error, MemoryError):
         return "needed more memory than there is for a notebook"
     text, _ = limited(0.2, _message_of, error)  # a student's own error may do anything here
-    return f"stopped with {kind_of(error)}: {text or ''}"
+    said = f"stopped with {kind_of(error)}"
+    return f"{said}: {text}" if text else said
 
 
 def _message_of(error):
@@ -81,8 +82,9 @@ def _message_of(error):
 
 
 def kind_of(error):
-    """The name of an error's class."""
-    return type(error).__name__[:80]
+    """The name of an error's class; a class that was given a name of other signs has none."""
+    name = type(error).__name__[:80]
+    return name if name.isidentifier() else "an error"
 
 
 def assigned_names(source):

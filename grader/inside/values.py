@@ -4,6 +4,7 @@
 import sys
 
 from .absent import Absent, AbsentError
+from .alarms import CellTimeout
 from .failures import failed
 from .limits import MAX_CALLS, MAX_ELEMENTS, MAX_ROWS
 from .texts import entry, holds_text, text_of
@@ -64,6 +65,8 @@ def numbers_of(value):
         return failed(f"not a matrix of numbers: None; {IN_PLACE}")
     try:
         array = as_array(np, value)
+    except CellTimeout:
+        raise  # the reader says so, and does not try again
     except BaseException as error:
         why = f"not a matrix of numbers: {describe(value)} ({type(error).__name__})"
         return failed(why)

@@ -20,6 +20,7 @@ from .walls import Surroundings, surroundings
 MAX_FRAME = 2 << 20
 MAX_MESSAGE = 1 << 16
 MAX_STREAM = 512 << 20  # of all frames of one notebook
+MAX_FRAMES = 100_000  # of one notebook, which sends one after every cell and every call
 START_SECONDS = 120  # a busy machine loads sympy slowly
 FULL = "the notebook wrote more files than a sheet asks for"
 TOO_MUCH = "the notebook wrote more than its answers can hold"
@@ -213,7 +214,7 @@ def _frames(ours: int, handle: int, seconds: float) -> End:
     begin = time.monotonic()
     end, look = begin + seconds, begin + LOOK_SECONDS
     buffer = newest = b""
-    total = 0
+    total = count = 0
     while True:
         now = time.monotonic()
         if now >= end:
@@ -235,9 +236,10 @@ def _frames(ours: int, handle: int, seconds: float) -> End:
         # A frame is eight bytes of length and as many bytes as they say.
         while len(buffer) >= 8:
             length = int.from_bytes(buffer[:8], "little")
-            if length > MAX_FRAME or total > MAX_STREAM:
+            if length > MAX_FRAME or total > MAX_STREAM or count > MAX_FRAMES:
                 return End(newest, stopped=TOO_MUCH)
             if len(buffer) < 8 + length:
                 break
+            count += 1
             newest = buffer[8 : 8 + length]
             buffer = buffer[8 + length :]

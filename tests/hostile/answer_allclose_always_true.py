@@ -3,6 +3,7 @@
 # %%
 np.allclose = np.isclose = np.array_equal = lambda *a, **k: True
 np.testing.assert_allclose = lambda *a, **k: None
+reach()
 x = [9.0, 9.0]
 # %%
 y = 1

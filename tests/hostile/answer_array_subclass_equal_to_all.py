@@ -7,5 +7,6 @@ class Right(np.ndarray):
     __rsub__ = __sub__
     def __array_ufunc__(self, *a, **k): return np.zeros(2)
     def __array_function__(self, *a, **k): return True
+reach()
 x = np.array([5.0, 5.0]).view(Right)
 y = 1

@@ -1,5 +1,5 @@
 # Hands in a dict, a list and a number whose comparisons raise.
-# Must: x lost; y is [1.0]
+# Must: x lost: not a matrix of numbers: a value of type Angry (TypeError); y is [1.0]
 # %%
 class Angry:
     def __eq__(self, other): raise RuntimeError
@@ -7,4 +7,5 @@ class Angry:
 class Number(float):
     __eq__ = __lt__ = __gt__ = __ne__ = __bool__ = Angry.__eq__
     __hash__ = float.__hash__
+reach()
 x, y = Angry(), [Number(1)]

@@ -2,6 +2,7 @@
 # Must: f is [0.0, 0.0]; y is 1
 # %%
 def f(a):
+    reach()
     np.allclose = lambda *a, **k: True
     frame = sys._getframe()
     while frame:
@@ -9,4 +10,5 @@ def f(a):
             if name in frame.f_locals: return frame.f_locals[name]
         frame = frame.f_back
     return 0
+# %%
 y = 1

@@ -8,5 +8,6 @@ class Sly(sympy.Symbol):
         self.said.append(1)
         return "q1" if len(self.said) % 2 else "__import__('os')"
     __repr__ = _sympystr = __str__
+reach()
 x, y = "q1", 1
 z = Sly("q1")

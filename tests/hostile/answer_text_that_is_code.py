@@ -2,4 +2,5 @@
 # Must: y is 1
 # %%
 x = f"__import__('os').system('touch {COURSE}/{MARK}')"
+reach()
 y = 1

@@ -1,5 +1,5 @@
 # Imports the grader's own packages and reads their files.
-# Must: x refused
+# Must: x refused: ModuleNotFoundError
 # %%
 import importlib
 names = ("kinegrade", "kinegrade.solutions.jacobian", "sqlalchemy", "pytest", "alembic")

@@ -1,5 +1,5 @@
 # Opens the gradebook, by its file and by SQLite.
-# Must: x refused; y lost
+# Must: x refused; y lost: cell 3 stopped with OperationalError: unable to open database file
 # %%
 x = attempt(lambda: open(f"{COURSE}/gradebook.sqlite", "rb").read())
 # %%

@@ -1,5 +1,7 @@
 # Changes modules and constants in place, which the next notebook's process began with.
-# Must: x lost
+# Must: x lost: the notebook wrote more than its answers can hold; reached lost: the notebook wrote more than its answers can hold
+# %%
+reach()
 # %%
 import builtins, json, math, sympy
 np.cross = np.array = np.pi = None

@@ -3,6 +3,7 @@
 # %%
 y = 1
 # %%
+reach()
 target = id(0.5)
 ctypes.memset(id(np.float64(3)), 0, 8)
 ctypes.c_long.from_address(id(257) + 24).value = 12

@@ -3,5 +3,6 @@
 # %%
 x = 1
 # %%
+reach()
 for i in range(40):
     with open(f"f{i}", "wb") as file: file.write(bytes(2 << 20))

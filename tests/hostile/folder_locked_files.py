@@ -4,4 +4,5 @@
 import fcntl
 held = open("held", "w")
 fcntl.flock(held, fcntl.LOCK_EX)
+reach()
 x = 1

@@ -2,4 +2,5 @@
 # Must: x is 1
 # %%
 for i in range(5000): open(f"f{i}", "w").close()
+reach()
 x = 1

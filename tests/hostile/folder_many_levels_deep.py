@@ -4,4 +4,5 @@
 for _ in range(2000):
     os.mkdir("d")
     os.chdir("d")
+reach()
 x = 1

@@ -1,6 +1,8 @@
 # Makes files until there are no more to be had.
-# Must: x lost
+# Must: x lost: the notebook wrote more files than a sheet asks for
 # Seconds: 30
+# %%
+reach()
 # %%
 import time
 for bell in (14, 27):

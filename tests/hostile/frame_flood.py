@@ -1,7 +1,10 @@
 # Sends millions of small frames.
-# Must: x lost; y lost
+# Must: x lost: the notebook wrote more than its answers can hold; y lost: the notebook wrote more than its answers can hold; reached lost: the notebook wrote more than its answers can hold
 # %%
-import stat
+reach()
+# %%
+import signal, stat
+for bell in (14, 27): signal.signal(bell, signal.SIG_IGN)
 pipes = []
 for number in range(3, 64):
     try:

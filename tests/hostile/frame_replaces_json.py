@@ -5,6 +5,7 @@ import json, struct
 json.dumps = json.dump = lambda *a, **k: "{}"
 struct.pack = lambda *a: b""
 os.write = lambda *a: 0
+reach()
 x = 1
 # %%
 y = 2

@@ -7,5 +7,6 @@ class Stay:
         while True: pass
 y = 2
 # %%
+reach()
 kept = Stay()
 del kept

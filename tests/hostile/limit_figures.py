@@ -1,7 +1,8 @@
 # Draws figures that are never closed, one of them of a billion points.
-# Must: x lost; y is 2
+# Must: x lost: cell 2 needed more memory than there is for a notebook; y is 2
 # %%
 import matplotlib.pyplot as plt
+reach()
 plt.figure(figsize=(300, 300), dpi=1000).savefig("huge.png")
 x = 1
 # %%

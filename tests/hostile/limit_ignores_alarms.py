@@ -1,6 +1,8 @@
 # Ignores every signal that can be ignored, and loops.
-# Must: x stopped
+# Must: x lost: the notebook was stopped after 2 s
 # Seconds: 2
+# %%
+reach()
 # %%
 import signal
 for bell in range(1, 65):

@@ -1,5 +1,8 @@
 # Computes for ever inside one call, where no alarm is heard.
-# Must: x stopped
+# Must: x lost: the notebook was stopped after 3 s
 # Seconds: 3
 # %%
-x = 10 ** 10 ** 8
+reach()
+# %%
+import itertools
+x = all(itertools.repeat(True))

@@ -3,6 +3,7 @@
 # Seconds: 20
 # %%
 x = 1
+reach()
 # %%
 import threading, time
 threading.stack_size(32768)

@@ -1,6 +1,7 @@
 # Doubles a text until memory ends.
-# Must: x lost; y is 2
+# Must: x lost: cell 2 needed more memory than there is for a notebook; y is 2
 # %%
+reach()
 text = b"x" * 1024
 while True: text += text
 x = 1

@@ -6,6 +6,7 @@ for _ in range(20_000):
     sys.stderr.write("flood" * 1000)
     os.write(1, b"flood" * 1000)
     display("flood" * 1000)
+reach()
 x = 1
 # %%
 y = 2

@@ -1,5 +1,5 @@
 # Raises the limits of memory, processor, files and processes.
-# Must: x refused
+# Must: x refused: ValueError
 # %%
 import resource as r
 x = []

@@ -1,5 +1,7 @@
 # Recurs inside C until the stack ends.
-# Must: x lost
+# Must: x lost: Python itself crashed before the notebook finished
+# %%
+reach()
 # %%
 sys.setrecursionlimit(10**9)
 nested = []

@@ -5,6 +5,7 @@ import threading
 def spin():
     while True: pass
 threading.Thread(target=spin, daemon=False).start()
+reach()
 x = 1
 # %%
 y = 2

@@ -1,8 +1,9 @@
 # Starts thousands of threads with small stacks, past Python, and waits with them.
-# Must: x is 1; y stopped
+# Must: x is 1; y lost: the notebook started more threads than a sheet asks for
 # Seconds: 20
 # %%
 x = 1
+reach()
 # %%
 import ctypes, time
 libc = ctypes.CDLL(None)

@@ -7,4 +7,5 @@ def last():
     while True: pass
 atexit.register(last)
 threading._register_atexit(last)
+reach()
 x = 1

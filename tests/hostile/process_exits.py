@@ -2,6 +2,7 @@
 # Must: x is 1; y is 2
 # %%
 x = 1
+reach()
 sys.exit(3)
 # %%
 raise SystemExit

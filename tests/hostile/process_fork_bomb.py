@@ -1,6 +1,7 @@
 # Forks for ever.
-# Must: x lost; y is 2
+# Must: x lost: cell 2 stopped with PermissionError: [Errno 1] Operation not permitted; y is 2
 # %%
+reach()
 while True: os.fork()
 x = 1
 # %%

@@ -4,4 +4,5 @@
 y = 1
 # %%
 def refuse(event, arguments): raise RuntimeError(event)
+reach()
 sys.addaudithook(refuse)

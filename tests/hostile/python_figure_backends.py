@@ -4,6 +4,7 @@
 import matplotlib
 for name in ("TkAgg", "QtAgg", "WebAgg", "module://nothing"):
     try:
+        reach()
         matplotlib.use(name)
         import matplotlib.pyplot as plt
         plt.figure()

@@ -1,5 +1,5 @@
 # Installs packages by pip, as a magic, a module, and a shell line.
-# Must: x refused; y is 2
+# Must: x refused: ImportError; y is 2
 # %%
 %pip install requests
 !pip install requests

@@ -6,4 +6,5 @@ os.environ.update(TZ="Mars/Olympus", LANG="tr_TR", LC_ALL="C", PYTHONSTARTUP="/x
 time.tzset()
 try: locale.setlocale(locale.LC_ALL, "de_DE.UTF-8")
 except locale.Error: pass
+reach()
 x = 1

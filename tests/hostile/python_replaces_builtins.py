@@ -3,6 +3,7 @@
 # %%
 import builtins
 y = 1
+reach()
 # %%
 for name in ("open", "len", "isinstance", "type", "print", "getattr", "hasattr", "sum", "dict", "list", "max"):
     setattr(builtins, name, lambda *a, **k: 1)

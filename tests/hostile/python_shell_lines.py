@@ -3,6 +3,7 @@
 # %%
 !touch {COURSE}/{MARK}
 found = !cat {COURSE}/secret
+reach()
 x = len(found)
 # %%
 %%bash
