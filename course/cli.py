@@ -199,7 +199,7 @@ def practice(
 @app.command()
 def report(folder: CourseOption = Path(), place: GradebookOption = "") -> None:
     """Write grades.csv, feedback and the report again from the gradebook, without marking."""
-    from .marking.run import write_recorded
+    from .marking.written import write_recorded
 
     with opened(folder, place) as (course, gradebook):
         print(write_recorded(course, gradebook))

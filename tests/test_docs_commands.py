@@ -17,7 +17,8 @@ from kinegrade.course.commands.demo import fill_in
 from kinegrade.course.commands.new_course import course_text
 from kinegrade.course.handing_out.generate import generate
 from kinegrade.course.ledger.gradebook import Gradebook
-from kinegrade.course.marking.run import How, mark_sheets
+from kinegrade.course.marking.how import How
+from kinegrade.course.marking.written import mark_and_write
 from kinegrade.course.settings.asked import exercises_of
 from kinegrade.course.settings.config import read_course
 from kinegrade.course.settings.toml_tables import Settings
@@ -92,7 +93,7 @@ def marked_course(tmp_path_factory):
             path.parent.mkdir(parents=True)
             released = folder / "released" / student / "jacobian.ipynb"
             path.write_bytes(fill_in(released.read_bytes(), code))
-        mark_sheets(course, gradebook, [sheet], How(permission=ANY))
+        mark_and_write(course, gradebook, [sheet], How(permission=ANY))
     return folder
 
 

@@ -14,7 +14,7 @@ from downloads import sheet_of
 from kinegrade.course.exchange import autograder_run, classroom_check
 from kinegrade.course.exchange.wheel import wheel
 from kinegrade.course.ledger.gradebook import Gradebook
-from kinegrade.course.marking.run import mark_sheets
+from kinegrade.course.marking.written import mark_and_write
 from kinegrade.course.settings.config import read_course
 from kinegrade.grader.jail import jail as jails
 from wheels import neighbours
@@ -34,7 +34,7 @@ def marked(tmp_path_factory):
     hand_in(course, "ben", {"lever_J": -answers["lever_J"], "lever_p": answers["lever_p"]})
     hand_in(course, "cyd", {"lever_p": right_answers(course, "cyd")["lever_p"]})
     with Gradebook(course.folder / "gradebook.sqlite") as gradebook:
-        mark_sheets(course, gradebook, course.settings.sheet)
+        mark_and_write(course, gradebook, course.settings.sheet)
     return course.folder
 
 

@@ -26,7 +26,7 @@ from downloads import (
 from kinegrade.course.exchange import handed_back
 from kinegrade.course.exchange.worksheet import read_worksheet
 from kinegrade.course.ledger.gradebook import Gradebook, GradeKey
-from kinegrade.course.marking.run import mark_sheets
+from kinegrade.course.marking.written import mark_and_write
 from kinegrade.grader.marking.verdict import Finding, not_graded
 
 ROSTER = """student,name,E-mail
@@ -46,7 +46,7 @@ def marked(tmp_path_factory):
     answers = right_answers(course, "ben")
     hand_in(course, "ben", answers | {"lever_J": -answers["lever_J"]})
     with Gradebook(folder / "gradebook.sqlite") as gradebook:
-        mark_sheets(course, gradebook, course.settings.sheet)
+        mark_and_write(course, gradebook, course.settings.sheet)
     return folder
 
 

@@ -51,10 +51,10 @@ def marked(tmp_path_factory):
 def graded(marked):
     """The course, graded, with marks and pages written."""
     from kinegrade.course.ledger.gradebook import Gradebook
-    from kinegrade.course.marking.run import mark_sheets
+    from kinegrade.course.marking.written import mark_and_write
 
     with Gradebook(marked.folder / "gradebook.sqlite") as gradebook:
-        ((_, results),) = mark_sheets(marked, gradebook, marked.settings.sheet)
+        ((_, results),) = mark_and_write(marked, gradebook, marked.settings.sheet)
     return marked, results
 
 

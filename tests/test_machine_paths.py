@@ -6,7 +6,7 @@ import tempfile
 import pytest
 from courses import hand_in, handed_out, make_course, notebook
 from kinegrade.course.ledger.gradebook import Gradebook
-from kinegrade.course.marking.run import mark_sheets
+from kinegrade.course.marking.written import mark_and_write
 from kinegrade.grader.collecting.machine_paths import without_paths
 
 SAID = {
@@ -46,7 +46,7 @@ def test_no_page_of_a_student_says_where_it_was_marked(tmp_path, number):
     (course.folder / "submitted" / "cyd").mkdir()
     (course.folder / "submitted" / "cyd" / "one.json").symlink_to("../ben/one.json")
     with Gradebook(course.folder / "gradebook.sqlite") as gradebook:
-        mark_sheets(course, gradebook, course.settings.sheet)
+        mark_and_write(course, gradebook, course.settings.sheet)
     for student in ("ada", "ben", "cyd"):
         page = (course.folder / "feedback" / student / "one.html").read_text(encoding="utf-8")
         for place in (tempfile.gettempdir(), str(tmp_path), sys.prefix, sys.base_prefix):

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from courses import hand_in, handed_out, make_course, notebook, right_answers
 from kinegrade.course.ledger.gradebook import Gradebook
-from kinegrade.course.marking.run import mark_sheets
+from kinegrade.course.marking.written import mark_and_write
 from kinegrade.course.results.alike import alike, code_cells, statements
 from kinegrade.course.results.result import recorded_results
 
@@ -62,7 +62,7 @@ def test_equal_wrong_numbers_stand_on_a_page_and_cost_nothing(tmp_path, kinegrad
         hand_in(course, student, {"rrt_J": made_up})
     hand_in(course, "cyd", {"rrt_J": made_up + 1})
     with Gradebook(tmp_path / "gradebook.sqlite") as gradebook:
-        mark_sheets(course, gradebook, course.settings.sheet)
+        mark_and_write(course, gradebook, course.settings.sheet)
         before = recorded_results(course, gradebook, course.settings.sheet[0])
         ran = kinegrade("oral", "one", "--course", str(tmp_path))
         assert recorded_results(course, gradebook, course.settings.sheet[0]) == before

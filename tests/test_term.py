@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from courses import hand_in, handed_out, make_course, right_answers
 from kinegrade.course.ledger.gradebook import Gradebook
-from kinegrade.course.marking.run import mark_sheets
+from kinegrade.course.marking.written import mark_and_write
 from kinegrade.course.results.grades import SheetResults, totals
 from kinegrade.course.results.result import recorded_results
 from kinegrade.course.settings.asked import exercises_of
@@ -49,7 +49,7 @@ def wrong(course, student):
 def marked(course):
     """Results by student, after all was marked."""
     with Gradebook(course.folder / "gradebook.sqlite") as gradebook:
-        ((_, results),) = mark_sheets(course, gradebook, course.settings.sheet)
+        ((_, results),) = mark_and_write(course, gradebook, course.settings.sheet)
     return {result.student.id: result for result in results}
 
 
@@ -471,7 +471,7 @@ def test_of_a_sheet_and_its_resit_the_better_counts(tmp_path):
         give(course, student, wrong(course, student), DEADLINE)
     give(course, "ada", right_answers(course, "ada", "two"), DEADLINE, "two.json")
     with Gradebook(tmp_path / "gradebook.sqlite") as gradebook:
-        results = mark_sheets(course, gradebook, course.settings.sheet)
+        results = mark_and_write(course, gradebook, course.settings.sheet)
     sheets = [SheetResults(sheet, exercises_of(course, sheet), found) for sheet, found in results]
     ada, ben, cyd = totals(sheets)
     assert (ada.points, ada.out_of) == (5, 5)

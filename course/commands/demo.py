@@ -12,7 +12,9 @@ from ..handing_out.generate import generate
 from ..ledger.gradebook import Gradebook, gradebook_of
 from ..machine.console import progress
 from ..machine.files import write_atomically
-from ..marking.run import How, level_line, mark_sheets, marked_sheets, show
+from ..marking.how import How, this_machine
+from ..marking.sheets import mark_sheets
+from ..marking.written import level_line, show, write_results
 from ..results.marks import by_hand
 from ..settings.asked import exercises_of
 from ..settings.config import Course, CourseError, Sheet, read_course
@@ -53,9 +55,12 @@ def run_demo(folder: Path) -> None:
         for sheet in course.settings.sheet:
             hand_in(course, gradebook, sheet)
         # The notebooks are ours: a demonstration asks for nothing to be installed.
-        marked_sheets(course, gradebook, course.settings.sheet, How(permission=ANY))
-        mark_by_hand(course, gradebook)
-        marked = mark_sheets(course, gradebook, course.settings.sheet, How(permission=ANY))
+        how = How(permission=ANY)
+        with this_machine(course, how.permission) as machine:
+            mark_sheets(course, gradebook, course.settings.sheet, machine, how)
+            mark_by_hand(course, gradebook)
+            marked = mark_sheets(course, gradebook, course.settings.sheet, machine, how)
+            write_results(course, gradebook, machine, marked)
         show(course, marked, level_line(gradebook.noted_level()))
     first = course.students[0].id
     sys.stderr.write(

@@ -10,6 +10,7 @@ from .options import CourseOption, GradebookOption, JsonOption, SheetArguments, 
 
 if TYPE_CHECKING:
     from ..results.result import Result
+    from ..settings.config import Sheet
 
 StudentsOption = Annotated[
     list[str] | None,
@@ -56,15 +57,16 @@ def grade(
 ) -> None:
     """Mark what was handed in; write grades.csv, feedback and the report."""
     from ...grader.jail.level import Permission
-    from ..marking.run import How, Marked, level_line, mark_sheets, show
+    from ..marking.how import How
+    from ..marking.written import level_line, mark_and_write, show
     from ..results.tables import results_json
 
     with opened(folder, place) as (course, gradebook):
         chosen = course.sheets(tuple(sheets or ()))
         only = tuple(course.student(name).id for name in students or ())
         how = How(accept_change, again, Permission(accept_medium, unsafe), cluster, only)
-        marked: Marked = []
-        for sheet, results in mark_sheets(course, gradebook, chosen, how):
+        marked: list[tuple[Sheet, list[Result]]] = []
+        for sheet, results in mark_and_write(course, gradebook, chosen, how):
             shown = [one for one in results if not only or one.student.id in only]
             marked.append((sheet, shown))
         level = level_line(gradebook.noted_level())

@@ -91,8 +91,8 @@ def regrade(
 ) -> None:
     """Mark again what was handed in, and show whose marks change."""
     from ...grader.jail.level import Permission
-    from ..marking.run import write_recorded
     from ..marking.second_looks import regrade as mark_again
+    from ..marking.written import write_recorded
 
     with opened(folder, place) as (course, gradebook):
         chosen = course.sheets(tuple(sheets or ()))
@@ -115,9 +115,9 @@ def publish(
 ) -> None:
     """Freeze the marks of sheets and write what students get; later changes are listed."""
     from ..ledger.entries import Change
-    from ..marking.run import write_recorded
     from ..marking.second_looks import publish as freeze
     from ..marking.second_looks import to_publish
+    from ..marking.written import write_recorded
 
     with opened(folder, place) as (course, gradebook):
         for sheet in course.sheets(tuple(sheets)):

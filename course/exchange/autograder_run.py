@@ -19,8 +19,8 @@ from ...solutions.errors import KinegradeError
 from ..errors import CourseError
 from ..ledger.gradebook import FILE, Gradebook
 from ..machine.files import write_atomically
+from ..marking.how import this_machine
 from ..marking.marker import SheetMarker
-from ..marking.run import this_machine
 from ..results.result import Result
 from ..settings.asked import exercises_of
 from ..settings.config import Course, Settings, Sheet, Student

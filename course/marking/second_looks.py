@@ -18,7 +18,8 @@ from ..term.anywhere import anywhere
 from ..term.differences import Move, moves, today
 from ..term.opinions import answer_text
 from ..term.publication import result_json
-from .run import How, marked_sheets
+from .how import How, this_machine
+from .sheets import mark_sheets
 
 
 def acceptance_like(
@@ -91,7 +92,8 @@ def _marked_again(
     before: dict[str, list[Result]],
 ) -> list[Move]:
     how = How(again=True, permission=permission)
-    marked = marked_sheets(course, gradebook, sheets, how)
+    with this_machine(course, permission) as machine:
+        marked = mark_sheets(course, gradebook, sheets, machine, how)
     found: list[Move] = []
     for sheet, results in marked:
         found += moves(before[sheet.name], today(results))
