@@ -301,7 +301,7 @@ def test_a_reader_that_fails_leaves_its_part_not_graded_and_the_others_marked(
             raise RuntimeError("a fault in a reader")
         return read(answer, raw, v)
 
-    monkeypatch.setattr("kinegrade.grader.marking.mark.read", failing)
+    monkeypatch.setattr("kinegrade.grader.marking.unjudged.read", failing)
     verdicts = {verdict.part: verdict for verdict in mark(exercise, v, right_raws(exercise, v))}
     failed = verdicts.pop(part.variable)
     assert (failed.status, failed.points) == ("not_graded", None)

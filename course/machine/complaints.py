@@ -8,7 +8,7 @@ from contextlib import contextmanager
 
 from .console import say
 
-MARKING = "kinegrade.grader.marking.mark"
+MARKING = "kinegrade.grader.marking.unjudged"
 
 
 def debugging() -> bool:

@@ -14,7 +14,8 @@ from .answer_key import AnswerKey
 from .compare import compare
 from .following import OwnAnswers, following
 from .judge import judges
-from .mark import Marked, mark_all
+from .mark import mark_all
+from .marked import Marked
 
 READABLE = "can be read"
 
