@@ -6,11 +6,9 @@ from the variant and from the earlier parts it needs. Sheets, worked solutions, 
 and feedback are derived from that.
 """
 
-import math
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from keyword import iskeyword
-from typing import Any, Literal, cast, get_args
+from typing import Any, Literal, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -30,7 +28,9 @@ from .answers import (
     Variant,
 )
 from .drawing import Drawing
-from .units import UnitError, refuse_unknown_unit
+from .errors import ExerciseError
+from .marked_part import Credit, Fault, Given, Mistake, Outcome, Part, Step
+from .well_formed import check_part, check_units
 
 __all__ = [
     "Answer",
@@ -58,98 +58,8 @@ __all__ = [
     "solve",
 ]
 
-Given = Mapping[str, Any]
-"""Earlier answers by variable, each of its declared type: the reference's, or the student's."""
-Credit = Literal["entry", "column", "block", "all"]
-Fault = Literal["slip", "presentation", "concept"]
-"""What kind of mistake it is, which decides what it costs."""
 Rows = Literal["linear, angular", "angular, linear"]
 """Which rows of a Jacobian, and which half of a twist, stand above the others."""
-
-
-class ExerciseError(KinegradeError):
-    """An exercise file breaks the contract."""
-
-
-@dataclass(frozen=True)
-class Outcome:
-    """What a part's own `check` found: what is right, how the answer was read, and a finding.
-
-    `right` is None where the usual comparison with the reference shall decide. `share` of the
-    points is earned where the right entries alone do not say it; unless it is `final`, a mistake
-    that has a name leaves what it leaves elsewhere. Of a function, `right` has a flag for every
-    group of calls (`Results`), or a list of flags, one for each of its calls.
-    """
-
-    right: ArrayLike | Sequence[bool | Sequence[bool]] | None = None
-    reading: str = ""
-    finding: str = ""
-    share: float | None = None
-    final: bool = True
-
-
-@dataclass(frozen=True)
-class Step:
-    """One step of a worked solution.
-
-    It is text with the general formula, a closed form, then the student's numbers. `text` is
-    Markdown with LaTeX between dollar signs; `symbol` is the LaTeX left-hand side of `formula`
-    (sympy, or formulas) and of `numbers` (an array, printed to `decimals`, by default those of its
-    part).
-    """
-
-    text: str
-    symbol: str = ""
-    formula: Any = None
-    numbers: ArrayLike | None = None
-    decimals: int | None = None
-
-
-@dataclass(frozen=True)
-class Mistake:
-    """A known mistake: the sentence that names the step to look at again, and its wrong answer.
-
-    `fault` says what it costs: a slip of the pen, a right answer presented otherwise, or a concept;
-    with None such an answer earns nothing by itself.
-    """
-
-    sentence: str
-    solve: Callable[[Variant, Given], Any]
-    fault: Fault | None = "concept"
-
-
-@dataclass(frozen=True, eq=False)
-class Part:
-    """One question.
-
-    `solve(v, given)` returns the reference answer from the variant and the parts in `needs`. An
-    unasked part (`asked=False`) is an intermediate that is rounded for the tolerance but never
-    printed. `follow` is the share of the points for an answer that is right from the student's own,
-    wrong, earlier answers. `credit` says whether marks go to entries, to whole columns, to blocks
-    of three rows (linear ones, angular ones), or to the whole answer only. `tolerance` overrides
-    the derived one, and `tolerance_factor` is a course's own on whichever holds.
-    """
-
-    variable: str
-    prompt: str
-    points: float
-    answer: Answer
-    solve: Callable[[Variant, Given], Any]
-    needs: tuple[str, ...] = ()
-    check: Callable[[Variant, Given, Any], Outcome] | None = None
-    asked: bool = True
-    follow: float = 1.0
-    credit: Credit = "entry"
-    tolerance: float | None = None
-    tolerance_factor: float = 1.0
-    hints: tuple[str, ...] = ()
-    mistakes: tuple[Mistake, ...] = ()
-    explain: Callable[[Variant, Given], Sequence[Step]] | None = None
-
-    @property
-    def beside(self) -> dict[str, str]:
-        """Variables in which a student declares something beside the answer, by what it is."""
-        return {name: f"{self.variable}_{name}" for name in self.answer.declared_beside}
 
 
 @dataclass(frozen=True, eq=False)
@@ -214,13 +124,11 @@ class Exercise:
                 )
 
         for name, unit in self.units.items():
-            _check_units(f"exercise {self.slug}: units of {name}", unit)
+            check_units(f"exercise {self.slug}: units of {name}", unit)
 
         known: dict[str, Part] = {}
         for part in self.parts:
-            _check_part(self.slug, part, known)
-            if isinstance(part.answer, Numbers | Configurations):
-                _check_answer_units(f"exercise {self.slug}: units of {part.variable}", part.answer)
+            check_part(self.slug, part, known)
             known[part.variable] = part
 
     @property
@@ -232,77 +140,6 @@ class Exercise:
     def points(self) -> float:
         """Points of all asked parts."""
         return sum(part.points for part in self.asked)
-
-
-def _check_part(slug: str, part: Part, known: Mapping[str, Part]) -> None:
-    """Refuses a part that could not be collected, computed, printed or marked behind the known."""
-    _check_variable(slug, part.variable, known)
-    for need in part.needs:
-        _check_need(slug, part.variable, need, known)
-    if part.asked and not (part.points > 0 and part.prompt):
-        raise ExerciseError(
-            f"exercise {slug}: {part.variable} takes a prompt, in an exercise file the docstring "
-            "of its function, and positive points"
-        )
-    _check_marking(slug, part)
-
-
-def _check_variable(slug: str, name: str, known: Collection[str]) -> None:
-    if not name.isidentifier() or iskeyword(name) or not name.startswith(f"{slug}_"):
-        raise ExerciseError(
-            f"exercise {slug}: a variable takes a Python name that starts with {slug}_, "
-            f"got {name!r}"
-        )
-    if name in known:
-        raise ExerciseError(
-            f"exercise {slug}: two parts are called {name}; a sheet collects answers by name"
-        )
-
-
-def _check_need(slug: str, name: str, need: str, known: Mapping[str, Part]) -> None:
-    if need not in known:
-        raise ExerciseError(f"exercise {slug}: {name} needs {need}, which is not an earlier part")
-    if isinstance(known[need].answer, Function | Manual):
-        raise ExerciseError(
-            f"exercise {slug}: {name} cannot need {need}: nothing can be computed from it"
-        )
-
-
-def _check_marking(slug: str, part: Part) -> None:
-    name, answer = part.variable, part.answer
-    if isinstance(answer, Configurations) and part.check is None:
-        raise ExerciseError(
-            f"exercise {slug}: {name} asks for configurations, which take a check that judges them"
-        )
-    if isinstance(answer, Manual):
-        rubric = sum(points for points, _ in answer.rubric)
-        if not math.isclose(rubric, part.points):
-            raise ExerciseError(
-                f"exercise {slug}: {name} has {part.points:g} points, its rubric {rubric:g}"
-            )
-
-
-def _check_units(where: str, units: Any) -> None:
-    """Refuses a text among nested units that is none."""
-    if isinstance(units, list | tuple | np.ndarray):
-        for inner in cast("Sequence[Any]", units):
-            _check_units(where, inner)
-        return
-    try:
-        refuse_unknown_unit(units)
-    except UnitError as error:
-        raise ExerciseError(f"{where}: {error}") from error
-
-
-def _check_answer_units(where: str, answer: Numbers | Configurations) -> None:
-    _check_units(where, answer.units)
-    if isinstance(answer, Numbers):
-        try:
-            answer.unit_of_entries()
-        except ValueError as error:
-            raise ExerciseError(
-                f"{where} take the shape of its entries, {answer.shape}, or one unit"
-            ) from error
 
 
 def references(exercise: Exercise, v: Variant) -> dict[str, Any]:
