@@ -1,30 +1,22 @@
 """A download, a zip or a folder, as files; what may hurt is refused, and nothing is unpacked."""
 
 import io
-import stat
-import zlib
 from collections.abc import Callable, Generator, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from datetime import datetime
-from lzma import LZMAError
 from pathlib import Path, PurePosixPath
 from typing import IO
 from zipfile import BadZipFile, ZipFile, ZipInfo, is_zipfile
 
 from ..errors import CourseError
-from ..sheet.archive import DRIVE, ENCRYPTED
+from ..machine.zip_entry import DAMAGED, entry_name, objection
 from ..sheet.upload import MAX_NOTEBOOK, is_unseen
 from ..text.escape import printable
 
 MOST_FILES = 50_000  # of a download
 MOST_INNER_FILES = 500  # of a zip that a student handed in
 MOST_INNER_BYTES = 256 << 20  # of all files in it, unpacked
-UNREADABLE = (
-    BadZipFile, zlib.error, LZMAError, NotImplementedError, RuntimeError, EOFError, ValueError,
-    OSError,
-)  # fmt: skip
-"""What zipfile and zlib raise on damaged archives, and on ways of packing that they do not know."""
 
 
 class RefusedError(CourseError):
@@ -81,7 +73,7 @@ def inner_files(data: bytes, place: str) -> Contents:
     """
     try:
         archive = ZipFile(io.BytesIO(data))
-    except UNREADABLE as error:
+    except DAMAGED as error:
         raise RefusedError(f"{place}: a damaged zip file") from error
     try:
         contents = _of_zip(archive, place, MOST_INNER_FILES)
@@ -105,7 +97,7 @@ def _of_zip(archive: ZipFile, place: str, most: int) -> Contents:
     for info in infos:
         if info.filename.endswith("/") or _is_unseen(info.filename):
             continue
-        why = _refusal(info)
+        why = objection(info)
         if why:
             refused.append(f"{place}: {printable(info.filename)!r} {why}; it is not taken")
             continue
@@ -113,30 +105,14 @@ def _of_zip(archive: ZipFile, place: str, most: int) -> Contents:
     return Contents(tuple(files), tuple(refused))
 
 
-def _refusal(info: ZipInfo) -> str:
-    """Why an entry of a zip is not taken; empty where it is."""
-    name = info.filename.replace("\\", "/")
-    if name.startswith("/") or DRIVE.match(name):
-        return "has an absolute path"
-    if ".." in name.split("/"):
-        return "leads out of its folder"
-    if not PurePosixPath(name).parts:
-        return "has no name"
-    if stat.S_ISLNK(info.external_attr >> 16):
-        return "is a link"
-    if info.flag_bits & ENCRYPTED:
-        return "is locked by a password"
-    return ""
-
-
 def _zipped(archive: ZipFile, info: ZipInfo, place: str) -> File:
-    path = PurePosixPath(info.filename.replace("\\", "/"))
+    path = PurePosixPath(entry_name(info))
 
     def read() -> bytes:
         try:
             with archive.open(info) as stream:
                 return _bounded(stream, f"{place}: {path}")
-        except UNREADABLE as error:
+        except DAMAGED as error:
             raise RefusedError(f"{place}: {path} is damaged") from error
 
     return File(path, _modified(info), read)

@@ -1,14 +1,13 @@
 """A zip that a student handed in, looked into without unpacking it; what may hurt is refused."""
 
 import re
-import stat
-import zlib
 from collections.abc import Iterator
 from functools import partial
 from pathlib import Path, PurePosixPath
-from zipfile import ZIP_DEFLATED, ZIP_STORED, BadZipFile, ZipFile, ZipInfo
+from zipfile import ZipFile, ZipInfo
 
 from ..errors import CourseError
+from ..machine.zip_entry import DAMAGED, entry_name, objection
 from ..text.escape import printable
 from .upload import Upload, is_unseen, on_disk
 
@@ -21,10 +20,7 @@ MAX_LISTING = 1 << 20  # bytes of the list of files at the end of an archive
 END = b"PK\x05\x06"  # of an archive, with the size of that list twelve bytes further on
 END_64 = b"PK\x06\x07"
 TAIL = 66_000  # bytes in which the end of an archive is looked for
-DRIVE = re.compile(r"[A-Za-z]:")
-ENCRYPTED = 1
-DAMAGED = (BadZipFile, zlib.error, NotImplementedError, RuntimeError, EOFError, ValueError, OSError)
-"""What zipfile raises on damaged archives, and on ways of packing that it does not know."""
+ANEW = "zip your files themselves, as your system does it, without a password"
 
 
 def uploads_in(archive: Path) -> list[Upload]:
@@ -73,8 +69,8 @@ def _too_many(archive: Path) -> CourseError:
 
 def _uploads(archive: Path, infos: list[ZipInfo]) -> Iterator[Upload]:
     seen: set[str] = set()
-    for info in sorted(infos, key=_name):
-        name = _name(info)
+    for info in sorted(infos, key=entry_name):
+        name = entry_name(info)
         _refuse(archive, info, name)
         path = PurePosixPath(name)
         if any(is_unseen(part) for part in path.parts):
@@ -92,38 +88,14 @@ def _uploads(archive: Path, infos: list[ZipInfo]) -> Iterator[Upload]:
         )
 
 
-def _name(info: ZipInfo) -> str:
-    """The path of a file; some systems write backslashes."""
-    return info.filename.replace("\\", "/")
-
-
 def _refuse(archive: Path, info: ZipInfo, name: str) -> None:
-    why = _objection(info, name)
+    why = objection(info)
     if why:
-        raise CourseError(f"{archive}: {printable(name)!r} {why}")
-
-
-def _objection(info: ZipInfo, name: str) -> str:
-    """Why a file is not looked at; empty where it is."""
-    parts = name.split("/")
-    if name.startswith("/") or DRIVE.match(name):
-        return "has an absolute path; zip the folder with your files"
-    if ".." in parts:
-        return "leads out of the archive"
-    if len(parts) > MAX_DEPTH:
-        return f"lies more than {MAX_DEPTH} folders deep"
-    return _objection_to_content(info)
-
-
-def _objection_to_content(info: ZipInfo) -> str:
-    if info.flag_bits & ENCRYPTED:
-        return "is encrypted; zip it without a password"
-    mode = info.external_attr >> 16
-    if mode and stat.S_IFMT(mode) not in (0, stat.S_IFREG):
-        return "is a link, or no file at all; zip the file itself"
-    if info.compress_type not in (ZIP_STORED, ZIP_DEFLATED):
-        return "is packed in a way that is not read here; zip it as your system does"
-    return ""
+        raise CourseError(f"{archive}: {printable(name)!r} {why}; {ANEW}")
+    if name.count("/") >= MAX_DEPTH:
+        raise CourseError(
+            f"{archive}: {printable(name)!r} lies more than {MAX_DEPTH} folders deep; {ANEW}"
+        )
 
 
 def _read(archive: Path, info: ZipInfo) -> bytes:
