@@ -11,7 +11,7 @@ from ...exercises.exercise import Exercise
 from ...solutions.robot import Robot
 from ..ledger.gradebook import Gradebook
 from ..settings.asked import exercises_of
-from ..settings.config import Course, CourseError, Sheet, hint
+from ..settings.config import Course, CourseError, Sheet
 
 Array = NDArray[np.float64]
 
@@ -50,7 +50,7 @@ def own_robot(
         CourseError: nobody has that id, nothing was drawn, or no exercise, or several, ask about
             the robot.
     """
-    _refuse_unknown(course, student)
+    course.student(student)  # refused where nobody has that id
     found: list[OwnRobot] = []
     others: list[str] = []
     for sheet in sheets:
@@ -97,14 +97,6 @@ def _arm(own: OwnRobot) -> tuple[Any, ...]:
     """What tells one arm from another."""
     robot = own.robot
     return robot.rows, robot.base, robot.tool, robot.convention, dict(own.lengths)
-
-
-def _refuse_unknown(course: Course, student: str) -> None:
-    ids = [one.id for one in course.students]
-    if student not in ids:
-        raise CourseError(
-            f"{course.folder / 'roster.csv'} has no student {student!r}{hint(student, ids)}"
-        )
 
 
 def _drawn(

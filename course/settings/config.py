@@ -70,7 +70,8 @@ class Course:
         """
         known = {student.id: student for student in self.students}
         if name not in known:
-            raise CourseError(f"{name!r} is not in roster.csv{hint(name, known)}")
+            roster = self.folder / "roster.csv"
+            raise CourseError(f"{roster} has no student {name!r}{hint(name, known)}")
         return known[name]
 
     def sheet(self, name: str) -> Sheet:
