@@ -105,11 +105,9 @@ ROOMS = {
     | {"exercises", "grader/jail", "grader/marking"},
     "course/commands": GROUND
     | {"course/variants", "course/ledger", "course/term", "course/results", "course/pages"}
-    | {"course/handing_out", "course/marking", "course/exchange"}
-    | {"exercises", "exercises/files", "grader/figures", "grader/jail"},
-    "course/cli": GROUND
-    | {"course/handing_out", "course/marking", "course/student", "course/proof"}
-    | {"course/commands", "exercises/files"},
+    | {"course/handing_out", "course/marking", "course/exchange", "course/student"}
+    | {"course/proof", "exercises", "exercises/files", "grader/figures", "grader/jail"},
+    "course/cli": GROUND | {"course/commands"},
 }
 """Which rooms each room may import from, besides itself; a folder is a room, and what lies beside it another."""
 ROOM_OF = {
