@@ -74,11 +74,13 @@ def draw_record(
         raise ExerciseError(
             f"exercise {exercise.slug}: {ATTEMPTS} draws gave no new numbers; draw from a wider set"
         )
+    raise ExerciseError(_never_pinned(sheet, exercise.slug, seen))
+
+
+def _never_pinned(sheet: str, slug: str, seen: Mapping[str, Collection[str]]) -> str:
+    """The sentence where no draw had what is pinned, with what they had instead."""
     gave = [f"{name} was {', '.join(sorted(values))}" for name, values in seen.items()]
-    raise ExerciseError(
-        f"sheet {sheet}: {ATTEMPTS} draws of {exercise.slug} never gave what is pinned: "
-        f"{'; '.join(gave)}"
-    )
+    return f"sheet {sheet}: {ATTEMPTS} draws of {slug} never gave what is pinned: {'; '.join(gave)}"
 
 
 def _objections(refused: tuple[int, Record]) -> int:
