@@ -43,7 +43,7 @@ def init(
     from .next_year import write_next_course
 
     for path in write_course(folder) if last is None else write_next_course(folder, last):
-        print(path)  # noqa: T201 - data of the command
+        print(path)
     say(f"Fill in roster.csv, then: kinegrade generate --course {quote(str(folder))}")
 
 
@@ -65,7 +65,7 @@ def generate(
             released = write_sheets(course, gradebook, chosen, step)
         for sheet in released:
             if sheet.new:
-                print(sheet.path)  # noqa: T201 - data of the command
+                print(sheet.path)
         new = sum(sheet.new for sheet in released)
         say(f"{new} new, {len(released) - new} left as they were released.")
 
@@ -75,4 +75,4 @@ def report(folder: CourseOption = Path(), place: GradebookOption = "") -> None:
     from ..marking.written import write_recorded
 
     with opened(folder, place) as (course, gradebook):
-        print(write_recorded(course, gradebook))  # noqa: T201 - data of the command
+        print(write_recorded(course, gradebook))

@@ -77,7 +77,7 @@ def collect(
     with cleared(folder):
         taken = take_in(course, download, wanted)
     for path in taken.paths:
-        print(path)  # noqa: T201 - data of the command
+        print(path)
     for sentence in (*taken.conflicts, *taken.notes):
         say(sentence)
     say(f"{len(taken.paths)} files taken, {taken.unchanged} unchanged.")
@@ -105,10 +105,10 @@ def handout(
         say(f"Sheet {sheet} is for {time_text(chosen.release)}; do not hand it out before.")
     place = output or folder / OUTPUT
     with cleared(folder):
-        print(plain(course, chosen, place))  # noqa: T201 - data of the command
+        print(plain(course, chosen, place))
         if worksheet is not None:
             table = read_worksheet(worksheet)
-            print(for_moodle(course, chosen, table, place))  # noqa: T201 - data of the command
+            print(for_moodle(course, chosen, table, place))
 
 
 @exchange.command()
@@ -140,7 +140,7 @@ def handback(
         chosen = course.sheet(sheet)
         way = Way(system, output or folder / OUTPUT, worksheet, download, column, convert)
         for path in hand_back(read_marked(course, gradebook, chosen), way):
-            print(path)  # noqa: T201 - data of the command
+            print(path)
 
 
 @export.command("gradescope")
@@ -189,7 +189,7 @@ def export_junit(
         chosen = course.sheet(sheet)
         path = output or folder / OUTPUT / f"{sheet}-junit.xml"
         write_atomically(path, junit(read_marked(course, gradebook, chosen)))
-        print(path)  # noqa: T201 - data of the command
+        print(path)
 
 
 @export.command("classroom")
@@ -211,4 +211,4 @@ def export_classroom(
         paths = write_template(chosen, target / "template")
         paths += write_results(read_marked(course, gradebook, chosen), target / "results")
         for path in paths:
-            print(path)  # noqa: T201 - data of the command
+            print(path)

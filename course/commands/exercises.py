@@ -23,7 +23,7 @@ def new(
     from .new_exercise import write_exercise
 
     path = write_exercise(name, folder)
-    print(path)  # noqa: T201 - data of the command
+    print(path)
     where = ""
     if folder != Path():
         where = f" --course {quote(str(folder))}"
@@ -47,7 +47,7 @@ def preview(
     made = load(file)
     path = output or Path(f"{made.slug}-preview.html")
     write_atomically(path, preview_page(made, seed))
-    print(path)  # noqa: T201 - data of the command
+    print(path)
     if show and sys.stdout.isatty():
         typer.launch(str(path))
 
@@ -79,7 +79,7 @@ def validate(
     with progress("Validating", len(paths) * draws) as step:
         validations = look(paths, draws, step)
     if as_json:
-        print(validations_json(validations))  # noqa: T201 - data of the command
+        print(validations_json(validations))
     else:
         show_validations(validations)
     if any(validation.failures for validation in validations):

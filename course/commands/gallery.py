@@ -78,7 +78,7 @@ def main() -> None:
         sys.exit(2)
     with progress("Drawing robots", len(ROBOTS)) as step:
         page = write_gallery(Path(sys.argv[1]), ROBOTS.values(), step)
-    print(page)  # noqa: T201 - data of the command
+    print(page)
 
 
 if __name__ == "__main__":

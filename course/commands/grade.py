@@ -78,4 +78,4 @@ def grade(
         of_all_sheets: list[Result] = []
         for _, results in marked:
             of_all_sheets += results
-        print(results_json(of_all_sheets))  # noqa: T201 - data of the command
+        print(results_json(of_all_sheets))

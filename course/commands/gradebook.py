@@ -27,7 +27,7 @@ def show_history(
                 line = f"{event.at[:19]}  {sheet.name}  {event.author}  {event.what}"
                 if event.reason:
                     line += f"  ({event.reason})"
-                print(printable(line))  # noqa: T201 - data of the command
+                print(printable(line))
 
 
 @book.command("copy")

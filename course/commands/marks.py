@@ -99,7 +99,7 @@ def write_marks(
     with opened(folder, place) as (course, gradebook):
         found = list(by_hand(course, gradebook, course.sheets(tuple(sheets or ()))))
         write_csv(found, file, blind=blind)
-        print(file)  # noqa: T201 - data of the command
+        print(file)
         waiting = sum(one.waits for one in found)
         say(f"{len(found)} answers, {waiting} of them wait for a mark.")
 
@@ -156,5 +156,5 @@ def list_requests(
                     continue
                 state = "answered" if one.answered else "open"
                 line = f"{one.at[:16]}  {one.student}  {one.sheet}  {one.part}  {state}: {one.text}"
-                print(printable(line))  # noqa: T201 - data of the command
+                print(printable(line))
         say("`kinegrade marks set STUDENT PART [POINTS] --comment ...` answers one.")

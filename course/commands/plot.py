@@ -64,10 +64,7 @@ def plot(
     from .own_robot import own_robot
 
     arm = find_robot(robot)
-    if q is not None and kind not in AT_A_POSTURE:
-        raise KinegradeError("--q takes --kind posture or ellipsoids; the other figures have no q")
-    if student is None and (sheet or exercise):
-        raise KinegradeError("--sheet and --exercise choose among a student's; they take --student")
+    _refuse_what_does_not_go_together(q, kind, student, sheet or exercise)
 
     name, own = robot, None
     if student is not None:
@@ -86,8 +83,18 @@ def plot(
     lengths = None if own is None else own.lengths
     drawn = robot_figure(arm, kind or "", path.suffix, lengths, posture)
     write_atomically(path, drawn.data)
-    print(path)  # noqa: T201 - data of the command
+    print(path)
     say(drawn.words)
+
+
+def _refuse_what_does_not_go_together(
+    q: str | None, kind: Kind | None, student: str | None, choice: str | None
+) -> None:
+    """Refuses options without those that they take; `choice` is a sheet or an exercise."""
+    if q is not None and kind not in AT_A_POSTURE:
+        raise KinegradeError("--q takes --kind posture or ellipsoids; the other figures have no q")
+    if student is None and choice:
+        raise KinegradeError("--sheet and --exercise choose among a student's; they take --student")
 
 
 def _posture(arm: "Robot", text: str | None) -> tuple[float, ...] | None:

@@ -30,7 +30,7 @@ def check(
 
     handout, found = check_file(file, sheet, exercises)
     for line in remark_lines(found):
-        print(line)  # noqa: T201 - data of the command
+        print(line)
     say(handout.told())
     if not all(remark.ok for remark in found):
         raise typer.Exit(1)
@@ -61,7 +61,7 @@ def practice(
     made = draw(exercise, seed, exercises)
     first, *others = write_practice(made, output, solution=solution)
     for path in (first, *others):
-        print(path)  # noqa: T201 - data of the command
+        print(path)
     say(f"Seed {made.seed}: --seed {made.seed} gives these numbers again.")
     if first.suffix == ".ipynb":
         say(f"When you have answered: kinegrade check {quote(str(first))}")

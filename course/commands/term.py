@@ -14,6 +14,7 @@ from .options import CourseOption, GradebookOption, SheetArguments, opened
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from ..ledger.term import Acceptance
     from ..term.differences import Move
 
 term = typer.Typer(help="What a term brings.", no_args_is_help=True)
@@ -55,25 +56,29 @@ def accept(
     from ..marking.second_looks import acceptance_like, moved_by
 
     with opened(folder, place) as (course, gradebook):
-        of = course.sheet(sheet)
-        found = replace(
-            acceptance_like(course, gradebook, of, part, like), share=share, reason=reason
-        )
-        what = f"answers of which it is said: {found.text}"
-        if found.kind == "answer":
-            what = f"the answer {found.text}"
+        marked = course.sheet(sheet)
+        alike = acceptance_like(course, gradebook, marked, part, like)
+        acceptance = replace(alike, share=share, reason=reason)
+        what = _accepted_answers(acceptance)
         change = Change(marker, reason)
         if no_longer:
-            gradebook.term.accept(found, change, no_longer=True)
+            gradebook.term.accept(acceptance, change, no_longer=True)
             say(f"{part}: no longer accepted are {what}")
             return
         say(f"{part}: {what}")
-        _show(moved_by(course, gradebook, of, found))
+        _show(moved_by(course, gradebook, marked, acceptance))
         if dry_run or not _confirmed(yes=yes):
             say("Nothing was changed.")
             return
-        gradebook.term.accept(found, change)
+        gradebook.term.accept(acceptance, change)
         say("Accepted. `kinegrade report` writes the pages with it.")
+
+
+def _accepted_answers(acceptance: "Acceptance") -> str:
+    """Which answers an acceptance is about."""
+    if acceptance.kind == "answer":
+        return f"the answer {acceptance.text}"
+    return f"answers of which it is said: {acceptance.text}"
 
 
 @term.command()
@@ -157,10 +162,10 @@ def extend(
 
     with opened(folder, place) as (course, gradebook):
         course.student(student)
-        of = course.sheet(sheet)
+        chosen = course.sheet(sheet)
         given = Extension()
         if until:
-            if of.deadline is None and of.closes is None:
+            if chosen.deadline is None and chosen.closes is None:
                 raise CourseError(f"sheet {sheet} has no deadline that could be extended")
             given = Extension(read_time(until, course.settings.zone))
         gradebook.term.extend(student, sheet, given, Change(marker, reason))
@@ -203,9 +208,9 @@ def oral(
     from ..pages.oral import write_oral_sheet
 
     with opened(folder, place) as (course, gradebook):
-        of = course.sheet(sheet)
-        path, found = write_oral_sheet(course, gradebook, of)
-        print(path)  # noqa: T201 - data of the command
+        chosen = course.sheet(sheet)
+        path, found = write_oral_sheet(course, gradebook, chosen)
+        print(path)
         say(f"{len(found.students)} students to talk to; nobody lost a point by it.")
 
 
@@ -220,7 +225,7 @@ def _print(found: "Sequence[Move]") -> None:
     from ..text.escape import printable
 
     for move in found:
-        print(printable(move.line()))  # noqa: T201 - data of the command
+        print(printable(move.line()))
 
 
 def _confirmed(*, yes: bool) -> bool:
