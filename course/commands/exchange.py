@@ -167,7 +167,7 @@ def export_gradescope(
         chosen = course.sheet(sheet)
         path = output or folder / OUTPUT / f"{sheet}-gradescope.zip"
         permission = Permission(accept_medium=accept_medium)
-        print(write_autograder(course, gradebook, chosen, path, permission))  # noqa: T201
+        print(write_autograder(course, gradebook, chosen, path, permission))
     say("It holds every answer of the sheet: give it to Gradescope, and to nobody else.")
 
 

@@ -133,7 +133,7 @@ def list_differing(
         for sheet in course.sheets(tuple(sheets or ())):
             for one in gradebook.differing_marks(sheet.name):
                 said = ", ".join(f"{who}: {points:g}" for who, points in one.points.items())
-                print(printable(f"{one.student}  {one.sheet}  {one.part}  {said}"))  # noqa: T201
+                print(printable(f"{one.student}  {one.sheet}  {one.part}  {said}"))
 
 
 @marks.command("requests")
