@@ -53,6 +53,25 @@ def run(jail, *sources, limits=LIMITS, **more):
     return collect(notebook(*sources), ASKS, limits, jail=jail, **more)["x"]
 
 
+ENDS = """
+import atexit, sys
+from kinegrade.grader.jail.jail import Jail
+from kinegrade.grader.jail.level import Level
+jail = Jail(level=Level(sys.argv[1]), preload=())
+zygote = jail._taken(jail._idle, ())
+jail._idle.put(zygote)
+atexit.register(lambda: print("ended with", zygote.process.poll()))  # called after the next
+atexit.register(jail.close)
+"""
+
+
+def test_a_process_that_ends_ends_its_zygotes_in_order(level):
+    """Those that are killed leave no account of the time that notebooks took, nor an empty folder."""
+    command = [sys.executable, "-c", ENDS, level]
+    ran = subprocess.run(command, capture_output=True, text=True, check=True)
+    assert ran.stdout == "ended with 0\n"
+
+
 def test_a_machine_that_has_the_parts_of_a_level_has_the_level():
     """So that no fault of ours passes for a machine without walls, where tests are skipped."""
     from kinegrade.grader.inside import landlock

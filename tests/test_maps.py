@@ -13,9 +13,11 @@ import numpy as np
 import pytest
 from kinegrade.grader.figures import maps
 from kinegrade.grader.figures.maps import FigureError, describe, figure, joint_map, picture
+from kinegrade.grader.figures.own_map import _smallest_gain
 from kinegrade.grader.figures.section_cells import evened, section_of, shown_cells
 from kinegrade.solutions import workspace
 from kinegrade.solutions.robots import ROBOTS, Factor, Robot
+from kinegrade.solutions.singularity import sigma_min
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.text import Text
@@ -336,3 +338,10 @@ def test_evening_lifts_what_is_dark_alone_and_keeps_a_dark_region():
     assert even[24, 15] == pytest.approx(0.2)
     assert np.isnan(even[1]).all()
     assert even[5, 20] == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize("shape", [(3, 3), (2, 3), (3, 2)])
+def test_gains_on_a_map_of_ones_own_arm_are_the_smallest_singular_values(shape):
+    blocks = np.random.default_rng(0).normal(size=(40, *shape))
+    blocks[0, :, -1] = blocks[0, :, 0]  # singular, but for the tall one
+    np.testing.assert_allclose(_smallest_gain(blocks), sigma_min(blocks), atol=1e-7)

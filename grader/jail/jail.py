@@ -2,16 +2,17 @@
 
 import sys
 from collections.abc import Sequence
-from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
-from functools import cache
+from functools import cache, partial
 from queue import Empty, SimpleQueue
+from threading import Lock
 from types import TracebackType
 from typing import Self
 
 from .bubblewrap import NoBubblewrapError
 from .level import ON_LINUX, JailError, Level, Permission
 from .packages import compiled
+from .starter import Starter
 from .syscalls import NoFilterError
 from .zygote import End, LostError, Order, Zygote
 
@@ -46,8 +47,8 @@ class Jail:
         self._by_notebook = preload is None
         self._idle: SimpleQueue[Zygote] = SimpleQueue()
         self._idle_full: SimpleQueue[Zygote] = SimpleQueue()
-        # A zygote dies with the thread that started it, so that is one that lasts.
-        self._starter = ThreadPoolExecutor(max_workers=1)
+        self._starting = Lock()
+        self._starter: Starter | None = None  # a zygote dies with the thread that started it
 
     @property
     def level(self) -> Level:
@@ -101,7 +102,9 @@ class Jail:
         return zygote
 
     def _started(self, level: Level, preload: tuple[str, ...]) -> Zygote:
-        return self._starter.submit(Zygote, level, self._packages, preload).result()
+        with self._starting:
+            self._starter = self._starter or Starter()
+        return self._starter.call(partial(Zygote, level, self._packages, preload))
 
     def close(self) -> None:
         """Ends all zygotes; the next notebook starts new ones."""
@@ -109,8 +112,9 @@ class Jail:
             with suppress(Empty):
                 while True:
                     idle.get_nowait().close()
-        self._starter.shutdown()
-        self._starter = ThreadPoolExecutor(max_workers=1)
+        if self._starter is not None:
+            self._starter.close()
+            self._starter = None
 
     def __enter__(self) -> Self:
         """Itself."""
