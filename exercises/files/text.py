@@ -43,12 +43,24 @@ def exercise_text(path: Path) -> Text:
     )
 
 
+_LOADED: dict[tuple[bool, str, str], Exercise] = {}
+"""By whose they are, where they lie and what they hold: to look at the disk again takes longer than
+to mark a part."""
+
+
 def exercise_of(text: Text) -> Exercise:
     """The exercise, loaded once per content.
 
     Raises:
         ExerciseError: it cannot be loaded, or one of ours reads otherwise here.
     """
+    key = (text.ours, text.path, text.hash)
+    if key not in _LOADED:
+        _LOADED[key] = _loaded(text)
+    return _LOADED[key]
+
+
+def _loaded(text: Text) -> Exercise:
     if not text.ours:
         return load_source(Source(Path(text.path), text.text, text.beside))
     path = HOME / text.path
