@@ -51,9 +51,9 @@ def test_the_first_screen_says_what_waits_who_is_missing_and_what_went_wrong(cou
     ]
     page = Page(report(course, EXERCISES["rrt"], *results))
     first = " ".join(page.text.partition("Sheet one ·")[0].split())
-    assert "1 × By hand. rrt_T ada" in first
+    assert "1 × By hand. rrt_T · ada" in first
     assert "1 × Sheet one: no submission; one.txt is there cyd" in first
-    assert "2 × Only a sign is wrong. rrt_dh ada, ben" in first
+    assert "2 × Only a sign is wrong. rrt_dh · ada, ben" in first
     assert "rrt_dh: 33 % of the points" in first
     assert "Mode graded: 1 marked, 1 not graded, 1 without a submission." in page.text
 
