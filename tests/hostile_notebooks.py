@@ -69,6 +69,7 @@ class Hostile:
     must: str
     cells: tuple[str, ...]
     seconds: float = 20.0  # on the clock
+    cell_seconds: float = 1.0  # of the processor
     through: dict[str, str] = field(default_factory=dict)
 
     @property
@@ -113,7 +114,9 @@ def _read(path):
     key = "tries"
     for line in head.splitlines():
         text = line.removeprefix("#").strip()
-        found = re.match(r"(Must|Seconds|Gets through at strong|Gets through at medium): ", text)
+        found = re.match(
+            r"(Must|Seconds|Cell seconds|Gets through at strong|Gets through at medium): ", text
+        )
         if found:
             key = found[1]
             text = text[found.end() :]
@@ -123,8 +126,15 @@ def _read(path):
         why = said.get(f"Gets through at {level}")
         if why:
             through[level] = why
-    seconds = float(said.get("Seconds", 20))
-    return Hostile(path.stem, said["tries"], said["Must"], tuple(cells), seconds, through)
+    return Hostile(
+        path.stem,
+        said["tries"],
+        said["Must"],
+        tuple(cells),
+        float(said.get("Seconds", 20)),
+        float(said.get("Cell seconds", 1)),
+        through,
+    )
 
 
 def _claim(text, where):

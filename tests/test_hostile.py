@@ -178,7 +178,7 @@ def test_a_hostile_notebook_gets_nothing_and_leaves_nothing(request, walled, tow
     signals = [signal.getsignal(number) for number in signal.valid_signals()]
 
     data = as_notebook(hostile, town.first)
-    limits = Limits(cell_seconds=1, notebook_seconds=hostile.seconds, memory_mb=1024, file_mb=4)
+    limits = Limits(hostile.cell_seconds, hostile.seconds, memory_mb=1024, file_mb=4)
     beside = {BESIDE: (town.course / "submitted" / "ada" / BESIDE).read_bytes()}
     raws = collect(data, [*ASKS, REACHED], limits, jail=walled, beside=beside)
 

@@ -64,7 +64,7 @@ def take_away(monkeypatch, wall):
 
 def broken(hostile, jail, first):
     """The claims of a notebook that do not hold in this jail."""
-    limits = Limits(cell_seconds=1, notebook_seconds=hostile.seconds, memory_mb=1024, file_mb=4)
+    limits = Limits(hostile.cell_seconds, hostile.seconds, memory_mb=1024, file_mb=4)
     raws = collect(
         as_notebook(hostile, first),
         [*ASKS, REACHED],

@@ -1,5 +1,6 @@
 # Closes every descriptor, so that no answer can be handed over.
 # Must: x lost: a cell closed the pipe that answers take
+# Seconds: 60
 # %%
 reach()
 # %%
