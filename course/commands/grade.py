@@ -9,8 +9,8 @@ from ..machine.console import say
 from .options import CourseOption, GradebookOption, JsonOption, SheetArguments, opened
 
 if TYPE_CHECKING:
+    from ..marking.sheets import Marked
     from ..results.result import Result
-    from ..settings.config import Sheet
 
 StudentsOption = Annotated[
     list[str] | None,
@@ -65,7 +65,7 @@ def grade(
         chosen = course.sheets(tuple(sheets or ()))
         only = tuple(course.student(name).id for name in students or ())
         how = How(accept_change, again, Permission(accept_medium, unsafe), cluster, only)
-        marked: list[tuple[Sheet, list[Result]]] = []
+        marked: Marked = []
         for sheet, results in mark_and_write(course, gradebook, chosen, how):
             shown = [one for one in results if not only or one.student.id in only]
             marked.append((sheet, shown))

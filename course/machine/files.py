@@ -26,10 +26,8 @@ def write_atomically(path: Path, data: bytes | str, mode: int = 0o644) -> None:
             os.fsync(file.fileno())
         os.chmod(name, mode)  # noqa: PTH101 - mkstemp gives 0600; a sheet is for its student
         os.replace(name, path)  # noqa: PTH105
-    except OSError as error:
+    except BaseException as error:
         Path(name).unlink(missing_ok=True)
-        error.filename = str(path)  # a full disk names no file, and ours is a temporary one
-        raise
-    except BaseException:
-        Path(name).unlink(missing_ok=True)
+        if isinstance(error, OSError):
+            error.filename = str(path)  # a full disk names no file, and ours is a temporary one
         raise

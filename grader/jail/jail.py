@@ -5,7 +5,6 @@ from collections.abc import Sequence
 from contextlib import suppress
 from functools import cache, partial
 from queue import Empty, SimpleQueue
-from threading import Lock
 from types import TracebackType
 from typing import Self
 
@@ -47,8 +46,7 @@ class Jail:
         self._by_notebook = preload is None
         self._idle: SimpleQueue[Zygote] = SimpleQueue()
         self._idle_full: SimpleQueue[Zygote] = SimpleQueue()
-        self._starting = Lock()
-        self._starter: Starter | None = None  # a zygote dies with the thread that started it
+        self._starter = Starter()  # a zygote dies with the thread that started it
 
     @property
     def level(self) -> Level:
@@ -102,8 +100,6 @@ class Jail:
         return zygote
 
     def _started(self, level: Level, preload: tuple[str, ...]) -> Zygote:
-        with self._starting:
-            self._starter = self._starter or Starter()
         return self._starter.call(partial(Zygote, level, self._packages, preload))
 
     def close(self) -> None:
@@ -112,9 +108,8 @@ class Jail:
             with suppress(Empty):
                 while True:
                     idle.get_nowait().close()
-        if self._starter is not None:
-            self._starter.close()
-            self._starter = None
+        self._starter.close()
+        self._starter = Starter()
 
     def __enter__(self) -> Self:
         """Itself."""

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from concurrent.futures import Future
 from queue import SimpleQueue
-from threading import Thread
+from threading import Lock, Thread
 from typing import Any, TypeVar
 
 T = TypeVar("T")
@@ -17,12 +17,17 @@ class Starter:
     """
 
     def __init__(self) -> None:
-        """Starts the thread, which ends with the process at the latest."""
+        """Starts the thread with the first call; it ends with the process at the latest."""
         self._calls: SimpleQueue[tuple[Callable[[], Any], Future[Any]] | None] = SimpleQueue()
-        Thread(target=self._serve, daemon=True).start()
+        self._thread: Thread | None = None
+        self._starting = Lock()
 
     def call(self, function: Callable[[], T]) -> T:
         """What the function returns, or raises, in that thread."""
+        with self._starting:
+            if self._thread is None:
+                self._thread = Thread(target=self._serve, daemon=True)
+                self._thread.start()
         result: Future[T] = Future()
         self._calls.put((function, result))
         return result.result()
