@@ -75,7 +75,7 @@ def let_wait(folder, student):
     with Gradebook(folder / "gradebook.sqlite") as gradebook:
         first, second = gradebook.current("one")[student]
         waiting = not_graded(second.part, second.out_of, "the grader failed")
-        gradebook.save_grade(GradeKey(student, "one", "file", "rules"), [first, waiting])
+        gradebook.save_grades({GradeKey(student, "one", "file", "rules"): [first, waiting]})
 
 
 def test_the_worksheet_of_moodle_gets_points_and_comments_and_keeps_the_rest(handback, folder):
@@ -325,7 +325,7 @@ def test_what_is_for_the_instructor_goes_nowhere(handback, folder):
         first, second = gradebook.current("one")["ada"]
         findings = (Finding("For the instructor.", private=True), Finding("For ada."))
         told = [replace(first, findings=findings), second]
-        gradebook.save_grade(GradeKey("ada", "one", "file", "rules"), told)
+        gradebook.save_grades({GradeKey("ada", "one", "file", "rules"): told})
     handback("csv")
     text = (folder / "exchange" / "one.csv").read_text()
     assert "For ada." in text

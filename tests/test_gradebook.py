@@ -89,13 +89,13 @@ def test_accepted_answers_count_for_one_record_and_the_old_ones_are_kept(gradebo
 
 
 def test_verdicts_come_back_as_they_were_saved(gradebook):
-    gradebook.save_grade(KEY, VERDICTS)
+    gradebook.save_grades({KEY: VERDICTS})
     assert gradebook.graded([KEY]).get(KEY) == VERDICTS
     assert gradebook.current("one") == {"ada": VERDICTS}
 
 
 def test_what_was_never_marked_has_no_verdicts(gradebook):
-    gradebook.save_grade(KEY, VERDICTS)
+    gradebook.save_grades({KEY: VERDICTS})
     for name in ("student", "sheet", "submission", "rules"):
         assert gradebook.graded([replace(KEY, **{name: "other"})]) == {}
     assert gradebook.current("two") == {}
@@ -103,8 +103,8 @@ def test_what_was_never_marked_has_no_verdicts(gradebook):
 
 def test_the_grade_saved_last_is_the_current_one_and_the_others_are_kept(gradebook):
     later, better = replace(KEY, submission="new bytes"), [replace(VERDICTS[0], points=2.0)]
-    gradebook.save_grade(KEY, VERDICTS)
-    gradebook.save_grade(later, better)
+    gradebook.save_grades({KEY: VERDICTS})
+    gradebook.save_grades({later: better})
     assert gradebook.current("one") == {"ada": better}
     assert gradebook.graded([KEY]).get(KEY) == VERDICTS
     gradebook.make_current([KEY])
@@ -112,20 +112,36 @@ def test_the_grade_saved_last_is_the_current_one_and_the_others_are_kept(gradebo
     assert gradebook.graded([later]).get(later) == better
 
 
-def test_half_a_grade_is_never_kept(gradebook, monkeypatch):
-    gradebook.save_grade(KEY, VERDICTS)
-    monkeypatch.setattr("kinegrade.course.ledger.grades._count", lambda *_: 1 / 0)
+def test_half_a_grade_is_never_kept(gradebook):
+    gradebook.save_grades({KEY: VERDICTS})
+
+    def broken(_connection, _cursor, statement, *_):
+        if statement.startswith("INSERT INTO counted"):  # after its verdicts
+            raise ZeroDivisionError
+
+    engine = gradebook.database._engine
+    event.listen(engine, "before_cursor_execute", broken)
     with pytest.raises(ZeroDivisionError):
-        gradebook.save_grade(replace(KEY, submission="new bytes"), VERDICTS[:1])
-    monkeypatch.undo()
+        gradebook.save_grades({replace(KEY, submission="new bytes"): VERDICTS[:1]})
+    event.remove(engine, "before_cursor_execute", broken)
     assert gradebook.current("one") == {"ada": VERDICTS}
     assert gradebook.graded([replace(KEY, submission="new bytes")]) == {}
+
+
+def test_several_grades_go_together(gradebook):
+    better = [replace(VERDICTS[0], points=2.0)]
+    grace = replace(KEY, student="grace")
+    gradebook.save_grades({KEY: VERDICTS})
+    gradebook.save_grades({KEY: VERDICTS, grace: better})  # the first is no news
+    assert gradebook.current("one") == {"ada": VERDICTS, "grace": better}
+    assert len(gradebook.history("ada", "one")) == 2
+    assert len(gradebook.history("grace", "one")) == 2
 
 
 def test_a_gradebook_is_read_again_by_the_next_run(place):
     for _ in range(2):
         with Gradebook(place) as gradebook:
-            gradebook.save_grade(KEY, VERDICTS)
+            gradebook.save_grades({KEY: VERDICTS})
     with Gradebook(place) as gradebook:
         assert gradebook.current("one") == {"ada": VERDICTS}
 
@@ -212,12 +228,12 @@ def test_all_that_happened_to_a_sheet_is_told_in_its_order(gradebook):
     gradebook.save_records([RECORD])
     gradebook.save_records([BEN])
     gradebook.see([KEY, replace(KEY, student="ben"), KEY])
-    gradebook.save_grade(KEY, VERDICTS)
-    gradebook.save_grade(KEY, VERDICTS)  # the same again is no news
-    gradebook.save_grade(later, full)
+    gradebook.save_grades({KEY: VERDICTS})
+    gradebook.save_grades({KEY: VERDICTS})  # the same again is no news
+    gradebook.save_grades({later: full})
     gradebook.make_current([KEY])
     gradebook.make_current([KEY])
-    gradebook.save_grade(KEY, full)
+    gradebook.save_grades({KEY: full})
     assert told(gradebook) == [
         "lever drawn, attempt 3",
         "submission bytes seen first",
@@ -241,9 +257,9 @@ def test_no_row_is_ever_overwritten_or_taken_out(place):
         gradebook.save_records([RECORD])
         gradebook.accept_answers(RECORD, {"lever_p": [2.0]})
         for points in (1.0, 2.0, 1.0):
-            gradebook.save_grade(KEY, [replace(VERDICTS[0], points=points)])
+            gradebook.save_grades({KEY: [replace(VERDICTS[0], points=points)]})
             gradebook.save_marks([replace(MARK, points=points)])
-        gradebook.save_grade(replace(KEY, submission="new bytes"), VERDICTS)
+        gradebook.save_grades({replace(KEY, submission="new bytes"): VERDICTS})
         gradebook.make_current([KEY])
         assert gradebook.marks("one")["ada", "lever_p"].points == 1
         assert gradebook.current("one")["ada"][0].points == 1
@@ -256,12 +272,12 @@ def test_no_row_is_ever_overwritten_or_taken_out(place):
 )
 def test_any_text_of_a_student_can_be_kept(gradebook, text):
     hostile = replace(VERDICTS[0], findings=(Finding(text),), reading=text, answer=text)
-    gradebook.save_grade(KEY, [hostile])
+    gradebook.save_grades({KEY: [hostile]})
     (back,) = gradebook.graded([KEY])[KEY]
     assert back.answer == text
     shown = text.replace("\0", "\ufffd").replace("\ud800", "?")
     assert (back.reading, back.findings) == (shown, (Finding(shown),))
-    gradebook.save_grade(KEY, [hostile])
+    gradebook.save_grades({KEY: [hostile]})
     assert len(told(gradebook)) == 2  # seen and marked, once
     gradebook.save_marks([replace(MARK, comment=text)])
     assert gradebook.marks("one")["ada", "lever_p"].comment == shown
@@ -272,9 +288,9 @@ def test_many_submissions_are_looked_up_at_once_and_count_again_together(place):
     keys = [replace(KEY, student=f"s{i}") for i in range(450)]
     with Gradebook(place) as gradebook:
         for key in keys[::50]:
-            gradebook.save_grade(key, VERDICTS)
+            gradebook.save_grades({key: VERDICTS})
         later = replace(keys[0], submission="new bytes")
-        gradebook.save_grade(later, VERDICTS[:1])
+        gradebook.save_grades({later: VERDICTS[:1]})
         gradebook.see(keys)
         gradebook.see(keys)
         assert gradebook.graded(keys) == dict.fromkeys(keys[::50], VERDICTS)

@@ -31,12 +31,19 @@ def enter(connection: Connection, change: Change) -> int:
 
     Numbers follow the order of the changes, since nobody else writes meanwhile.
     """
+    (number,) = enter_all(connection, change, 1)
+    return number
+
+
+def enter_all(connection: Connection, change: Change, count: int) -> range:
+    """Adds as many entries of now as there are changes of one kind, and returns their numbers."""
     newest = connection.scalar(select(func.max(entry.c.id))) or 0
-    row = {
-        "id": newest + 1,
+    numbers = range(newest + 1, newest + 1 + count)
+    about = {
         "at": datetime.now(UTC).isoformat(timespec="milliseconds"),
         "author": plain(change.author or user()),
         "reason": plain(change.reason),
     }
-    connection.execute(entry.insert().values(**row))
-    return newest + 1
+    if count:
+        connection.execute(entry.insert(), [{"id": number, **about} for number in numbers])
+    return numbers

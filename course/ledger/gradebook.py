@@ -154,10 +154,12 @@ class Gradebook:
         with self._database.writing() as connection:
             grades.see(connection, keys, Change())
 
-    def save_grade(self, key: GradeKey, verdicts: Sequence[Verdict], reason: str = "") -> None:
-        """The grade and that it is the one that counts, in one transaction."""
+    def save_grades(self, graded: Mapping[GradeKey, Sequence[Verdict]], reason: str = "") -> None:
+        """Grades, and that they are the ones that count, in one transaction."""
+        if not graded:
+            return
         with self._database.writing() as connection:
-            grades.save(connection, key, verdicts, Change(reason=reason))
+            grades.save(connection, graded, Change(reason=reason))
 
     def graded(self, keys: Sequence[GradeKey]) -> dict[GradeKey, list[Verdict]]:
         """What those submissions got that were marked by these rules, and can be read."""
@@ -182,8 +184,7 @@ class Gradebook:
         if not others:
             return
         with self._database.writing() as connection:
-            for key, number in others.items():
-                grades.let_count(connection, key, number, Change())
+            grades.let_count(connection, others, Change())
 
     def current(self, sheet: str) -> dict[str, list[Verdict]]:
         """Student to verdicts: what counts now."""

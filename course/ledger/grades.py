@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from typing import Any, TypeVar
 
 from sqlalchemy import (
-    ColumnElement,
     Connection,
     RowMapping,
     Select,
@@ -18,7 +17,7 @@ from sqlalchemy import (
 
 from ...grader.marking.verdict import STATUS_WORDS, Finding, Verdict
 from .damage import DamagedError, as_number, loaded, plain
-from .entries import Change, enter
+from .entries import Change, enter_all
 from .tables import counted, finding, grade, submission, verdict
 
 T = TypeVar("T")
@@ -46,18 +45,20 @@ class Attempt:
     counts: bool
 
 
-def see(connection: Connection, keys: Sequence[GradeKey], change: Change) -> None:
+def see(connection: Connection, keys: Iterable[GradeKey], change: Change) -> None:
     """Notes the submissions that were never seen before."""
     columns = (submission.c.student, submission.c.sheet, submission.c.hash)
-    for some in _batches(keys):
-        names = {(key.student, key.sheet, key.submission): None for key in some}
-        there = select(*columns).where(tuple_(*columns).in_([*names]))
+    names = {(key.student, key.sheet, key.submission): None for key in keys}
+    for some in _batches([*names]):
+        there = select(*columns).where(tuple_(*columns).in_(some))
         seen = {tuple(row) for row in connection.execute(there)}
-        for student, sheet, found in names:
-            if (student, sheet, found) not in seen:
-                row = {"student": student, "sheet": sheet, "hash": found}
-                row |= {"entry": enter(connection, change)}
-                connection.execute(submission.insert().values(**row))
+        new = [name for name in some if name not in seen]
+        rows: Rows = []
+        entries = enter_all(connection, change, len(new))
+        for (student, sheet, found), number in zip(new, entries, strict=True):
+            rows.append({"student": student, "sheet": sheet, "hash": found, "entry": number})
+        if rows:
+            connection.execute(submission.insert(), rows)
 
 
 def all_newest(connection: Connection, keys: Sequence[GradeKey]) -> dict[GradeKey, int]:
@@ -88,46 +89,54 @@ def _batches(items: Sequence[T]) -> Iterator[Sequence[T]]:
         yield items[start : start + AT_ONCE]
 
 
-def newest(connection: Connection, key: GradeKey) -> int | None:
-    """The number of the last grade for a key; None where there is none."""
-    return connection.scalar(select(func.max(grade.c.entry)).where(*_same(grade, vars(key))))
-
-
 def save(
-    connection: Connection, key: GradeKey, verdicts: Sequence[Verdict], change: Change
+    connection: Connection, graded: Mapping[GradeKey, Sequence[Verdict]], change: Change
 ) -> None:
-    """Adds a grade, unless the last one for the key says the same, and lets it count."""
-    see(connection, [key], change)
-    judged, found = _to_rows(verdicts)
-    last = newest(connection, key)
-    if last is not None and _says(connection, last, judged, found):
-        let_count(connection, key, last, change)
-        return
+    """Adds grades, but for those whose last one says the same, and lets them count."""
+    see(connection, graded, change)
+    last = all_newest(connection, [*graded])
+    new: list[tuple[GradeKey, Rows, Rows]] = []
+    for key, verdicts in graded.items():
+        judged, found = _to_rows(verdicts)
+        if key in last and _says(connection, last[key], judged, found):
+            let_count(connection, {key: last[key]}, change)
+        else:
+            new.append((key, judged, found))
 
-    entry = enter(connection, change)
-    connection.execute(grade.insert().values(entry=entry, **vars(key)))
-    for table, rows in ((verdict, judged), (finding, found)):
-        if rows:
-            connection.execute(table.insert(), [{"grade": entry, **row} for row in rows])
-    _count(connection, key, entry, entry)
+    rows: dict[Table, Rows] = {grade: [], verdict: [], finding: [], counted: []}
+    entries = enter_all(connection, change, len(new))
+    for (key, judged, found), entry in zip(new, entries, strict=True):
+        rows[grade].append({"entry": entry, **vars(key)})
+        rows[verdict] += [{"grade": entry, **row} for row in judged]
+        rows[finding] += [{"grade": entry, **row} for row in found]
+        rows[counted].append(_counting(key, entry, entry))
+    for table, added in rows.items():
+        if added:
+            connection.execute(table.insert(), added)
 
 
-def let_count(connection: Connection, key: GradeKey, number: int, change: Change) -> None:
-    """A grade counts from now on; where it already does, nothing is written."""
-    if not counts(connection, key, number):
-        _count(connection, key, number, enter(connection, change))
+def let_count(connection: Connection, numbers: Mapping[GradeKey, int], change: Change) -> None:
+    """Grades that are there count from now on; of those that already do, nothing is written."""
+    others = {
+        key: number for key, number in numbers.items() if not _counts(connection, key, number)
+    }
+    entries = enter_all(connection, change, len(others))
+    rows: Rows = []
+    for (key, number), entry in zip(others.items(), entries, strict=True):
+        rows.append(_counting(key, number, entry))
+    if rows:
+        connection.execute(counted.insert(), rows)
 
 
-def counts(connection: Connection, key: GradeKey, number: int) -> bool:
+def _counts(connection: Connection, key: GradeKey, number: int) -> bool:
     """Whether a grade is the one that counts for the student's sheet."""
-    same = _same(counted, {"student": key.student, "sheet": key.sheet})
+    same = (counted.c.student == key.student, counted.c.sheet == key.sheet)
     query = select(counted.c.grade).where(*same).order_by(counted.c.entry.desc()).limit(1)
     return connection.scalar(query) == number
 
 
-def _count(connection: Connection, key: GradeKey, number: int, entry: int) -> None:
-    row = {"entry": entry, "student": key.student, "sheet": key.sheet, "grade": number}
-    connection.execute(counted.insert().values(**row))
+def _counting(key: GradeKey, number: int, entry: int) -> dict[str, Any]:
+    return {"entry": entry, "student": key.student, "sheet": key.sheet, "grade": number}
 
 
 def counting(connection: Connection, sheet: str) -> dict[str, int]:
@@ -251,7 +260,3 @@ def _says(connection: Connection, number: int, judged: Rows, found: Rows) -> boo
         if there != [{"grade": number, **row} for row in rows]:
             return False
     return True
-
-
-def _same(table: Table, key: Mapping[str, str]) -> list[ColumnElement[bool]]:
-    return [table.c[name] == value for name, value in key.items()]

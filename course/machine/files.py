@@ -8,8 +8,13 @@ PART = ".*.part"
 """What files are called that are not complete yet."""
 
 
-def write_atomically(path: Path, data: bytes | str, mode: int = 0o644) -> None:
+def write_atomically(
+    path: Path, data: bytes | str, mode: int = 0o644, *, synced: bool = True
+) -> None:
     """The whole new content or the old: written under a temporary name, synced, then renamed.
+
+    What is not `synced` may be empty after a power cut: for files that are made anew where they do
+    not hold what they should.
 
     Raises:
         OSError: it cannot be written; its filename is set, also where the system names none.
@@ -22,8 +27,9 @@ def write_atomically(path: Path, data: bytes | str, mode: int = 0o644) -> None:
     try:
         with os.fdopen(handle, "wb") as file:
             file.write(data)
-            file.flush()
-            os.fsync(file.fileno())
+            if synced:
+                file.flush()
+                os.fsync(file.fileno())
         os.chmod(name, mode)  # noqa: PTH101 - mkstemp gives 0600; a sheet is for its student
         os.replace(name, path)  # noqa: PTH105
     except BaseException as error:

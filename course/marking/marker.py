@@ -1,4 +1,4 @@
-"""Marking a class: every submission on its own, every grade one transaction, nothing twice."""
+"""Marking a class: every submission on its own, every grade saved as it comes, nothing twice."""
 
 from collections.abc import Callable, Collection, Generator, Iterable, Mapping, Sequence
 from contextlib import closing
@@ -24,6 +24,7 @@ from .handed_out import HandedOut, drop_solutions
 from .incoming import Arrival, Incoming
 from .jobs import Desk, Job, job_of
 from .owners import Owners
+from .saving import Saving
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -92,6 +93,7 @@ class SheetMarker:
             course, sheet, self._exercises, self._incoming, self._handed_out, self._place
         )
         self._owners = Owners(self._exercises, self._handed_out.answers)
+        self._saving = Saving(gradebook)
         self._done: dict[str, Result] = {}
         self._arrived: dict[tuple[str, str], Path] = {}  # files by student and hash
         self._came_in: dict[str, Came] = {}  # of those whose numbers may be somebody else's
@@ -126,8 +128,9 @@ class SheetMarker:
             todo = self._unmarked(step)
             self.gradebook.see([job.key for job in todo])
             note_arrivals(self.course, self.gradebook, self.sheet, self._arrived)
-            self._mark_all(todo, step)
-            self._look_at_same_numbers()
+            with self._saving:
+                self._mark_all(todo, step)
+                self._look_at_same_numbers()
         finally:
             if self._own_jail is not None:
                 self._place.close()
@@ -252,7 +255,7 @@ class SheetMarker:
         if done.came.level is Level.UNSAFE and verdicts:
             first, *rest = verdicts
             verdicts = [replace(first, findings=(*first.findings, UNSAFE_STAMP)), *rest]
-        self.gradebook.save_grade(job.key, verdicts)
+        self._saving.add(job.key, verdicts)
         self._done[job.student.id] = self._result(job, verdicts)
         if any(tells(self._parts.get(verdict.part), verdict) for verdict in verdicts):
             self._came_in[job.student.id] = done.came

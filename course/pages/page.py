@@ -78,7 +78,7 @@ def write_page(path: Path, html: str) -> None:
     today = date.today()  # noqa: DTZ011 - the day of whoever marks
     data = html.replace(DAY, day_text(today)).encode("utf-8", errors="replace")
     if not _says_the_same(path, html):
-        write_atomically(path, data)
+        write_atomically(path, data, synced=False)  # the next run looks at what it holds
 
 
 def _says_the_same(path: Path, html: str) -> bool:

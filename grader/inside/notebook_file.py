@@ -6,6 +6,7 @@ import re
 from .limits import MAX_CODE
 
 PYTHON = ("python", "")  # languages of kernels; older notebooks name none
+ASSIGNED = re.compile(r"^\s*(\w+)\s*=(?!=)", re.MULTILINE)
 
 
 class NotANotebookError(ValueError):
@@ -37,9 +38,9 @@ class Notebook:
     def _hint(self, name):
         if self.language not in PYTHON:
             return f"the notebook has a kernel for {self.language[:40]}; a sheet takes Python"
-        assigned = re.compile(rf"^\s*{re.escape(name)}\s*=(?!=)", re.MULTILINE)
         for kind, source in self.prose:
-            if assigned.search(source):
+            # Few cells name it, and the long ones, with pictures, take long to search.
+            if name in source and name in ASSIGNED.findall(source):
                 return f"a {kind} cell assigns {name}; an answer takes a code cell, which is run"
         if not self.code:
             return "the notebook has no code cells"

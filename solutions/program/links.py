@@ -59,16 +59,28 @@ def folded(C: Array) -> tuple[float, Array, float]:
     Quarter turns stay in D, where they are exact, and so does all of C between parallel axes.
     """
     x, y = C[0, 2], C[1, 2]
-    first, last = 0.0, 0.0
+    if not (x or y):
+        return 0.0, C, 0.0
+
+    first, D = 0.0, C
     if x and y:
         first = float(np.arctan2(x, -y))
-    D = snapped_transforms(elementary("Rz", -first) @ C)
-
+        D = snapped_transforms(elementary("Rz", -first) @ C)
     # the row that only a last turn about z can have filled
     level = D[1] if D[0, 2] else D[0]
-    if (x or y) and level[0] and level[1]:
-        last = float(np.arctan2(-level[1], level[0]))
+    if not (level[0] and level[1]):
+        return first, D, 0.0
+    last = float(np.arctan2(-level[1], level[0]))
     return first, snapped_transforms(D @ elementary("Rz", -last)), last
+
+
+def folds(chain: Chain) -> bool:
+    """Whether any constant holds a turn to fold; where none does, that of no inverse does."""
+    for C in chain.fixed:
+        first, _, last = folded(C)
+        if first or last:
+            return True
+    return False
 
 
 def _walk(tracer: Tracer, fixed: Array, kinds: str, joints: Sequence[tuple[int, int]]) -> Walk:

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from ..chain import Chain
-from .links import Link, Walk, from_base_to_tool, from_tool_to_base
+from .links import Link, Walk, folds, from_base_to_tool, from_tool_to_base
 from .tracer import Angle, Operation, Rows, Signed, Sum, Tracer, Value, Vector, negated, registers
 
 Wanted = Literal["base", "tool", "pose", "frames"]
@@ -39,9 +39,9 @@ def trace(chain: Chain, wanted: Wanted) -> Program:
         "pose": (_pose,),
         "frames": (_frames,),
     }
-    programs = list[Program]()
-    for folds in (False, True):
-        programs += [_traced(chain, way, folds=folds) for way in ways[wanted]]
+    programs = [_traced(chain, way, folds=False) for way in ways[wanted]]
+    if folds(chain):
+        programs += [_traced(chain, way, folds=True) for way in ways[wanted]]
     return min(programs, key=_cost)
 
 
