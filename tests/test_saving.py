@@ -1,7 +1,6 @@
 """Grades on their way into the gradebook: at once, or together where they come quickly."""
 
 import pytest
-
 from kinegrade.course.marking import saving
 from kinegrade.course.marking.saving import Saving
 
@@ -57,10 +56,15 @@ def test_many_quick_grades_do_not_wait(clock):
 
 def test_ctrl_c_saves_what_was_marked(clock):
     gradebook = Noted()
-    with pytest.raises(KeyboardInterrupt), Saving(gradebook) as grades:
-        grades.add("a", [])
-        grades.add("b", [])
-        raise KeyboardInterrupt
+
+    def stopped():
+        with Saving(gradebook) as grades:
+            grades.add("a", [])
+            grades.add("b", [])
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        stopped()
     assert gradebook.saved == [["a"], ["b"]]
 
 

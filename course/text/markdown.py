@@ -20,8 +20,7 @@ def markdown_html(text: str) -> str:
     """
     plain, formulas = without_formulas(text)
     shown = [mathml(latex, display=display) for latex, display in formulas]
-    html = renderer().render(plain)
-    return PLACE.sub(lambda match: shown[int(match[1])], html)
+    return PLACE.sub(lambda match: shown[int(match[1])], _rendered(plain))
 
 
 def without_formulas(text: str) -> tuple[str, list[tuple[str, str]]]:
@@ -45,6 +44,13 @@ def without_formulas(text: str) -> tuple[str, list[tuple[str, str]]]:
         else:
             pieces.append(FORMULA.sub(taken, piece))
     return "".join(pieces), formulas
+
+
+@lru_cache(maxsize=512)
+def _rendered(plain: str) -> str:
+    """HTML of what is left of a text: students' numbers stand in formulas, so many have the same."""
+    html: str = renderer().render(plain)
+    return html
 
 
 @lru_cache(maxsize=1)
