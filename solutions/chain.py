@@ -44,9 +44,7 @@ class Chain:
             )
 
         fixed = snapped_transforms(fixed)
-        for index, transform in enumerate(fixed):
-            _check_rigid(f"fixed[{index}]", transform)
-
+        _check_rigid(fixed)
         fixed.flags.writeable = False
         object.__setattr__(self, "fixed", fixed)
 
@@ -246,11 +244,18 @@ def _transform(name: str, value: ArrayLike | None) -> Array:
     return snapped_transforms(transform)
 
 
-def _check_rigid(name: str, transform: Array) -> None:
-    R = transform[:3, :3]
-    if (transform[3] != (0.0, 0.0, 0.0, 1.0)).any():
-        raise ChainError(f"{name} takes the last row [0 0 0 1], got {transform[3].tolist()}")
-    if np.abs(R.T @ R - np.eye(3)).max() > 1e-9 or np.linalg.det(R) < 0:
+def _check_rigid(fixed: Array) -> None:
+    """Raises ChainError for the first of transforms (m, 4, 4) that moves no rigid body."""
+    R = fixed[:, :3, :3]
+    last_row = (fixed[:, 3] != IDENTITY[3]).any(axis=1)
+    rotation = np.abs(R.mT @ R - IDENTITY[:3, :3]).max(axis=(1, 2)) > 1e-9
+    rotation |= np.linalg.det(R) < 0
+    for index in np.flatnonzero(last_row | rotation):
+        if last_row[index]:
+            raise ChainError(
+                f"fixed[{index}] takes the last row [0 0 0 1], got {fixed[index, 3].tolist()}"
+            )
         raise ChainError(
-            f"{name} takes a right-handed rotation in its upper left corner, got another matrix"
+            f"fixed[{index}] takes a right-handed rotation in its upper left corner, "
+            "got another matrix"
         )

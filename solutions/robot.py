@@ -220,6 +220,8 @@ class Robot:
             return self._chain_of_frames(values, base, tool)
 
         chain = self.table.chain(values, tool)
+        if not self.base:
+            return chain
         first = base @ chain.fixed[0]
         return Chain(np.concatenate([first[None], chain.fixed[1:]]), chain.kinds)
 

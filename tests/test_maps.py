@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from kinegrade.grader.figures import maps
 from kinegrade.grader.figures.maps import FigureError, describe, figure, joint_map, picture
-from kinegrade.grader.figures.own_map import _smallest_gain
+from kinegrade.grader.figures.own_map import _path, _smallest_gain
 from kinegrade.grader.figures.section_cells import evened, section_of, shown_cells
 from kinegrade.solutions import workspace
 from kinegrade.solutions.robots import ROBOTS, Factor, Robot
@@ -345,3 +345,12 @@ def test_gains_on_a_map_of_ones_own_arm_are_the_smallest_singular_values(shape):
     blocks = np.random.default_rng(0).normal(size=(40, *shape))
     blocks[0, :, -1] = blocks[0, :, 0]  # singular, but for the tall one
     np.testing.assert_allclose(_smallest_gain(blocks), sigma_min(blocks), atol=1e-7)
+
+
+def test_a_path_keeps_corners_and_leaves_out_what_is_straight():
+    corner = [[0, 0], [10, 0], [20, 0], [20, 0], [20, 10], [20, 20], [0, 0]]  # one of them twice
+    points, offsets = np.array(corner, dtype=float), np.array([0, 7])
+    assert _path(([points], [offsets]), closed=True) == "M0 0 20 0 20 0 20 20 0 0Z"
+    two = np.array([[0, 0], [5, 0], [9, 0], [0, 7], [4, 7], [9, 7]], dtype=float)
+    assert _path(([two], [np.array([0, 3, 6])]), closed=False) == "M0 0 9 0M0 7 9 7"
+    assert _path(([None], [None]), closed=False) == ""

@@ -62,10 +62,8 @@ def folded(C: Array) -> tuple[float, Array, float]:
     if not (x or y):
         return 0.0, C, 0.0
 
-    first, D = 0.0, C
-    if x and y:
-        first = float(np.arctan2(x, -y))
-        D = snapped_transforms(elementary("Rz", -first) @ C)
+    first = float(np.arctan2(x, -y)) if x and y else 0.0
+    D = snapped_transforms(elementary("Rz", -first) @ C) if first else C
     # the row that only a last turn about z can have filled
     level = D[1] if D[0, 2] else D[0]
     if not (level[0] and level[1]):
