@@ -1,6 +1,7 @@
 """A .py file as cells: its `# %%` blocks, else one statement after another."""
 
 import ast
+import codecs
 import io
 import re
 import tokenize
@@ -54,7 +55,7 @@ def read_script(data):
         NotANotebookError: it is no text, or has more code than anybody types.
     """
     try:
-        text = data.decode("utf-8-sig")
+        text = data.removeprefix(codecs.BOM_UTF8).decode("utf-8")
     except UnicodeDecodeError:
         raise NotANotebookError("the file is not Python: it is not UTF-8 text") from None
     if "\0" in text:
