@@ -24,6 +24,8 @@ def _printable(char: str) -> str:
 
 def printable_lines(text: str) -> str:
     """Lines, and tabs within them, without any other control characters."""
+    if text.isprintable():
+        return text
     lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
     return "\n".join(_with_tabs(line) for line in lines)
 

@@ -81,8 +81,10 @@ class OtherNumbers:
     def __init__(self, steps: Steps, view: View, reference: Array) -> None:
         """Takes the arm, what of it is asked, and the right answer."""
         self.reference = reference.ravel()
-        self.lines = [line for line in _lines(steps, view, self.reference) if line.moves]
-        self.circles = [circle for circle in _circles(steps, view, self.reference) if circle.moves]
+        moved = _moved(steps, view)
+        self.lines = [line for line in _lines(steps, moved, self.reference) if line.moves]
+        circles = _circles(steps, moved, self.reference)
+        self.circles = [circle for circle in circles if circle.moves]
 
     def fitting(self, value: Array, allowed: Array) -> Iterator[Mistake]:
         """Those on which an answer lies."""
@@ -99,34 +101,55 @@ class OtherNumbers:
                 yield circle.mistake
 
 
-def _lines(steps: Steps, view: View, reference: Array) -> Iterator[Line]:
+@dataclass(frozen=True, eq=False)
+class Moved:
+    """The answers (H, entries) for other numbers.
+
+    Attributes:
+        longer: With every length by 1 m longer.
+        further: With every slide by 1 m further.
+        turned: With every angle at all `TURNS`, one joint after the other.
+    """
+
+    longer: Array
+    further: Array
+    turned: Array
+
+
+def _moved(steps: Steps, view: View) -> Moved:
+    """All in one call, for many hypotheses take hardly longer than one."""
+    lengths, slides = len(steps.lengths), _joints(steps, "P")
+    turns = [(joint, angle) for joint in _joints(steps, "R") for angle in TURNS]
+    ends = np.cumsum([lengths, len(slides), len(turns)])
+
     def move(switches: Switches) -> None:
         for row, direction in enumerate(steps.lengths.values()):
             switches.constants[row] += direction
-
-    def slide(switches: Switches) -> None:
-        for row, joint in enumerate(sliding):
+        for row, joint in enumerate(slides, ends[0]):
             switches.q[row, joint] += 1.0
+        for row, (joint, angle) in enumerate(turns, ends[1]):
+            switches.q[row, joint] = angle
 
-    names = [*steps.lengths]
-    moved = view.of(changed(steps, view.setting, len(names), move))
-    for name, value in zip(names, moved, strict=True):
-        yield Line(OTHER_LENGTH.of(name=name), value.ravel() - reference)
-    sliding = [i for i, kind in enumerate(steps.kinds) if kind == "P"]
-    moved = view.of(changed(steps, view.setting, len(sliding), slide))
-    for joint, value in zip(sliding, moved, strict=True):
-        yield Line(OTHER_STROKE.of(i=joint + 1), value.ravel() - reference)
+    answers = view.of(changed(steps, view.setting, ends[2], move))
+    longer, further, turned, _ = np.split(answers.reshape(ends[2], -1), ends)
+    return Moved(longer, further, turned)
 
 
-def _circles(steps: Steps, view: View, reference: Array) -> Iterator[Circle]:
-    turning = [i for i, kind in enumerate(steps.kinds) if kind == "R"]
+def _joints(steps: Steps, kind: str) -> list[int]:
+    return [joint for joint, own in enumerate(steps.kinds) if own == kind]
 
-    def turn(switches: Switches) -> None:
-        for place, joint in enumerate(turning):
-            switches.q[place * len(TURNS) : (place + 1) * len(TURNS), joint] = TURNS
 
-    turned = view.of(changed(steps, view.setting, len(turning) * len(TURNS), turn))
-    for joint, values in zip(turning, turned.reshape(len(turning), len(TURNS), -1), strict=True):
+def _lines(steps: Steps, moved: Moved, reference: Array) -> Iterator[Line]:
+    for name, value in zip(steps.lengths, moved.longer, strict=True):
+        yield Line(OTHER_LENGTH.of(name=name), value - reference)
+    for joint, value in zip(_joints(steps, "P"), moved.further, strict=True):
+        yield Line(OTHER_STROKE.of(i=joint + 1), value - reference)
+
+
+def _circles(steps: Steps, moved: Moved, reference: Array) -> Iterator[Circle]:
+    turning = _joints(steps, "R")
+    turned = moved.turned.reshape(len(turning), len(TURNS), reference.size)
+    for joint, values in zip(turning, turned, strict=True):
         right, up, left = values
         middle = (right + left) / 2
         circle = Circle(OTHER_ANGLE.of(i=joint + 1), middle, right - middle, up - middle)
