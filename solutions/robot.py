@@ -263,6 +263,8 @@ def _transform(steps: Steps, values: Mapping[str, ArrayLike]) -> Array:
 
 
 def _is_finite(value: object) -> bool:
+    if isinstance(value, float):  # most are, and to look at a protocol takes long
+        return math.isfinite(value)
     if isinstance(value, bool) or not isinstance(value, SupportsFloat):
         return False
     return math.isfinite(float(value))
