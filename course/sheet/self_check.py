@@ -1,6 +1,6 @@
 """The cell of a sheet that needs nothing installed: which answers are there, finite, in shape."""
 
-from collections.abc import Sequence
+from collections.abc import Sequence, Set
 from importlib.resources import files
 
 from ...exercises.exercise import Part
@@ -8,6 +8,7 @@ from ...exercises.kinds.manual import is_on_paper
 from ..language.speech import later, phrase
 
 TEMPLATE = "self_check.txt"
+FOR = "# for "  # begins a line of the template that says of what kinds the next lines are
 SENTENCES = (
     later("not answered yet"),
     later("takes a function"),
@@ -30,12 +31,28 @@ SENTENCES = (
 def self_check(parts: Sequence[Part]) -> str:
     """Python that says of every answer whether it is there; nothing of what is right."""
     lines: list[str] = []
+    kinds: set[str] = {"all"}
     for part in parts:
         if is_on_paper(part.answer):
             continue
+        kind, _ = part.answer.self_check
+        kinds.add(kind)
         lines.append(f"    {part.variable!r}: {part.answer.self_check!r},")
 
     template = files("kinegrade.course.sheet").joinpath(TEMPLATE).read_text(encoding="utf-8")
+    program = _for_kinds(template, kinds)
     for sentence in SENTENCES:
-        template = template.replace(f'"{sentence}"', f'"{phrase(sentence)}"')
-    return template.replace("@ANSWERS@", "\n".join(lines)).rstrip("\n")
+        program = program.replace(f'"{sentence}"', f'"{phrase(sentence)}"')
+    return program.replace("@ANSWERS@", "\n".join(lines)).rstrip("\n")
+
+
+def _for_kinds(template: str, kinds: Set[str]) -> str:
+    """The lines that answers of some kinds need: a cell that is read, and run for every student."""
+    kept: list[str] = []
+    needed = True
+    for line in template.splitlines():
+        if line.startswith(FOR):
+            needed = not kinds.isdisjoint(line.removeprefix(FOR).split())
+        elif needed:
+            kept.append(line)
+    return "\n".join(kept)
