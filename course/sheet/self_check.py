@@ -1,6 +1,6 @@
 """The cell of a sheet that needs nothing installed: which answers are there, finite, in shape."""
 
-from collections.abc import Sequence, Set
+from collections.abc import Collection, Sequence
 from importlib.resources import files
 
 from ...exercises.exercise import Part
@@ -46,13 +46,13 @@ def self_check(parts: Sequence[Part]) -> str:
     return program.replace("@ANSWERS@", "\n".join(lines)).rstrip("\n")
 
 
-def _for_kinds(template: str, kinds: Set[str]) -> str:
+def _for_kinds(template: str, kinds: Collection[str]) -> str:
     """The lines that answers of some kinds need: a cell that is read, and run for every student."""
     kept: list[str] = []
     needed = True
     for line in template.splitlines():
         if line.startswith(FOR):
-            needed = not kinds.isdisjoint(line.removeprefix(FOR).split())
+            needed = any(kind in kinds for kind in line.removeprefix(FOR).split())
         elif needed:
             kept.append(line)
     return "\n".join(kept)

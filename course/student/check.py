@@ -2,12 +2,14 @@
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from importlib import import_module
 from pathlib import Path
+from threading import Thread
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ...exercises.exercise import Exercise
+from ...exercises.exercise import Exercise, Formulas
 from ...grader.collecting.wire import Raw
 from ...grader.jail.jail import FOR_ONE, Jail
 from ...grader.jail.level import ANY
@@ -63,6 +65,7 @@ def check_file(
     asks: list[Ask] = []
     for exercise in exercises_here:
         asks += submission.asks(exercise, numbers[exercise.slug])
+    Thread(target=_load_for, args=(exercises_here,), daemon=True).start()
     # Whoever checks a file runs code of their own, which they ran in Jupyter a minute ago.
     with Jail(ANY, handout.packages, preload=FOR_ONE) as jail:
         raws = submission.raws(asks, handout.limits, jail)
@@ -72,6 +75,13 @@ def check_file(
         found = [Remark(slug, ok=True, text=phrase(NOT_INSTALLED)) for slug in missing]
         found += _of_all(path, handout, exercises_here, numbers, raws)
     return handout, found
+
+
+def _load_for(exercises: Iterable[Exercise]) -> None:
+    """Loads what formulas are compared with: it takes as long as a notebook, and goes beside it."""
+    asked = (part.answer for exercise in exercises for part in exercise.asked)
+    if any(isinstance(answer, Formulas) for answer in asked):
+        import_module("sympy")
 
 
 def _of_all(
