@@ -48,7 +48,7 @@ def without_formulas(text: str) -> tuple[str, list[tuple[str, str]]]:
 
 @lru_cache(maxsize=512)
 def _rendered(plain: str) -> str:
-    """HTML of a text without formulas: these hold the numbers, and the rest is the same for many."""
+    """HTML of a text without its formulas, which hold the numbers: many students have the same."""
     html: str = renderer().render(plain)
     return html
 
