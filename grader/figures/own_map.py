@@ -109,7 +109,8 @@ def _smallest_gain(blocks: Array) -> Array:
 
 
 def _smallest_of_many(A: Array) -> Array:
-    return np.linalg.eigvalsh(A)[..., 0]
+    eigenvalues: Any = np.linalg.eigvalsh(A)
+    return eigenvalues[..., 0]
 
 
 def _smallest_of_two(A: Array) -> Array:
