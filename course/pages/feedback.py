@@ -75,7 +75,7 @@ def write_feedback(
         html = _page(course, sheet, shown, result, records or {})
     path = course.folder / "feedback" / result.student.id / f"{sheet.name}.html"
     with speaking(sheet.language):
-        write_page(path, html)
+        write_page(path, html, synced=False)  # the next run looks at what it holds
     return path
 
 

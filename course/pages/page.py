@@ -70,7 +70,7 @@ def _template_text(name: str) -> str:
     return files("kinegrade.course.pages").joinpath(f"templates/{name}").read_text(encoding="utf-8")
 
 
-def write_page(path: Path, html: str) -> None:
+def write_page(path: Path, html: str, *, synced: bool = True) -> None:
     """Writes a page with today's date where `DAY` stands.
 
     A page that says the same already is left as it is: its day is that on which it was written.
@@ -78,7 +78,7 @@ def write_page(path: Path, html: str) -> None:
     today = date.today()  # noqa: DTZ011 - the day of whoever marks
     data = html.replace(DAY, day_text(today)).encode("utf-8", errors="replace")
     if not _says_the_same(path, html):
-        write_atomically(path, data, synced=False)  # the next run looks at what it holds
+        write_atomically(path, data, synced=synced)
 
 
 def _says_the_same(path: Path, html: str) -> bool:
