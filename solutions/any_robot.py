@@ -6,7 +6,7 @@ from os import PathLike
 from typing import Literal
 
 from .analytic import RepresentationError, angles_from_rotation
-from .chain import Array, Chain
+from .chain import OWN_MOTIONS, Array, Chain
 from .denavit_hartenberg import named_table
 from .limits import TURN
 from .robot import ALL, LINEAR, Motion, Robot
@@ -14,7 +14,6 @@ from .table import joint_names, read_table
 from .urdf import UrdfError, read_urdf
 
 STROKE = (0.1, 1.0)  # of a slide whose limits nobody said [m]
-MOVES = {"R": "Rz", "P": "Tz"}
 ROUNDED = 1e-5  # right angles in files are 1.5708
 TINY = 1e-12  # what is smaller in a transform is 0
 
@@ -70,7 +69,7 @@ def robot_from_chain(
     *before, tool = [_motions(transform) for transform in chain.fixed]
     rows = list[tuple[Motion, ...]]()
     for kind, joint, placement in zip(chain.kinds, joint_names(chain.n), before, strict=True):
-        rows.append((*placement, (MOVES[kind], joint)))
+        rows.append((*placement, (OWN_MOTIONS[kind], joint)))
 
     return Robot(
         name="chain",

@@ -11,6 +11,8 @@ from .errors import KinegradeError
 
 Array = NDArray[np.float64]
 MOTIONS = ("Rx", "Ry", "Rz", "Tx", "Ty", "Tz")
+OWN_MOTIONS = {"R": "Rz", "P": "Tz"}
+"""What a joint of each kind does in its own frame."""
 SNAP = 1e-15  # cos(pi/2) is 6e-17 in floating point; the trace can drop only exact zeros and ones
 IDENTITY = np.eye(4)
 
@@ -250,12 +252,14 @@ def _check_rigid(fixed: Array) -> None:
     last_row = (fixed[:, 3] != IDENTITY[3]).any(axis=1)
     rotation = np.abs(R.mT @ R - IDENTITY[:3, :3]).max(axis=(1, 2)) > 1e-9
     rotation |= np.linalg.det(R) < 0
-    for index in np.flatnonzero(last_row | rotation):
-        if last_row[index]:
-            raise ChainError(
-                f"fixed[{index}] takes the last row [0 0 0 1], got {fixed[index, 3].tolist()}"
-            )
+    wrong = np.flatnonzero(last_row | rotation)
+    if not len(wrong):
+        return
+    first = wrong[0]
+    if last_row[first]:
         raise ChainError(
-            f"fixed[{index}] takes a right-handed rotation in its upper left corner, "
-            "got another matrix"
+            f"fixed[{first}] takes the last row [0 0 0 1], got {fixed[first, 3].tolist()}"
         )
+    raise ChainError(
+        f"fixed[{first}] takes a right-handed rotation in its upper left corner, got another matrix"
+    )

@@ -14,13 +14,13 @@ import numpy as np
 from .chain import Array, Chain, ChainError, elementary
 from .gauges.gauge import Gauge, wrapped
 from .gauges.search import Difference, Given, Search, kept_or_reversed
+from .kinematics import multiplied
 from .rotation import inverse_transform
 
 __all__ = ["Difference", "Equivalence", "Given", "equivalence"]
 
 PROBES = 4  # configurations at which an equivalence is proved before it is believed
 MOST_FOUND = 16
-MOTION = {"R": "R", "P": "T"}
 ALL_GIVEN = Given()
 
 
@@ -115,18 +115,10 @@ def _holds(search: Search, found: Equivalence) -> bool:
     """Whether both chains agree at random configurations, as far as rounded links can."""
     first = search.first
     q = np.random.default_rng(0).uniform(-2, 2, (PROBES, first.n))
-    theirs = _hands(search.second, found.signs * q + found.offsets)
-    off = np.abs(theirs - found.base @ _hands(first, q) @ found.tool)
+    theirs = multiplied(search.second, found.signs * q + found.offsets)
+    off = np.abs(theirs - found.base @ multiplied(first, q) @ found.tool)
     reach = 1 + float(np.abs(first.fixed[:, :3, 3]).sum())
     return bool(off.max() <= search.length + 2 * first.n * search.angle * reach)
-
-
-def _hands(chain: Chain, q: Array) -> Array:
-    """Poses (k, 4, 4) of the tool, multiplied: a chain seen once is not worth a traced program."""
-    pose = chain.fixed[0]
-    for i, kind in enumerate(chain.kinds):
-        pose = pose @ elementary(f"{MOTION[kind]}z", q[:, i]) @ chain.fixed[i + 1]
-    return pose
 
 
 def _effort(found: Equivalence) -> float:

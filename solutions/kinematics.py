@@ -2,7 +2,7 @@
 
 from numpy.typing import ArrayLike
 
-from .chain import Array, Chain, configuration
+from .chain import OWN_MOTIONS, Array, Chain, configuration, elementary
 from .program.emit import evaluate, plain
 
 
@@ -15,6 +15,19 @@ def forward(chain: Chain, q: ArrayLike) -> Array:
     if known is not None:
         return known
     return evaluate(chain, "pose", configuration(chain.n, q))
+
+
+def multiplied(chain: Chain, q: ArrayLike) -> Array:
+    """The same transforms (..., 4, 4) by multiplying link by link.
+
+    A chain that is seen once is not worth a program. Raises ChainError as `forward` does.
+    """
+    values = configuration(chain.n, q)
+    pose = chain.fixed[0]
+    for joint, kind in enumerate(chain.kinds):
+        own = elementary(OWN_MOTIONS[kind], values[..., joint])
+        pose = pose @ own @ chain.fixed[joint + 1]
+    return pose
 
 
 def frames(chain: Chain, q: ArrayLike) -> Array:

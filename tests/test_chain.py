@@ -20,7 +20,7 @@ from kinegrade.solutions.chain import (
     steps_transform,
 )
 from kinegrade.solutions.jacobian import jacobian
-from kinegrade.solutions.kinematics import forward, frames
+from kinegrade.solutions.kinematics import forward, frames, multiplied
 from kinegrade.solutions.robots import ROBOTS, Robot
 
 HALF = math.pi / 2
@@ -42,6 +42,8 @@ def test_forward_kinematics_is_the_product_of_the_links(build: Callable[..., Cha
     q = np.array([0.3, -0.7, 1.1])
     np.testing.assert_allclose(forward(chain, q), plain(chain, q), rtol=0, atol=1e-15)
     np.testing.assert_allclose(forward(chain, [q, q])[1], plain(chain, q), rtol=0, atol=2e-15)
+    np.testing.assert_allclose(multiplied(chain, q), plain(chain, q), rtol=0, atol=1e-15)
+    np.testing.assert_allclose(multiplied(chain, [q, q])[1], plain(chain, q), rtol=0, atol=1e-15)
 
 
 def test_a_standard_row_is_rz_tz_tx_rx():
@@ -223,7 +225,7 @@ def test_what_is_no_chain_is_refused_with_a_sentence(make: Callable[[], object],
 )
 def test_a_wrong_configuration_is_refused_with_a_sentence(q: Any, sentence: str):
     chain = from_standard(ROWS, "RRR")
-    for function in (forward, frames, jacobian):
+    for function in (forward, frames, multiplied, jacobian):
         with pytest.raises(ChainError, match=sentence):
             function(chain, q)
 

@@ -57,8 +57,7 @@ def see(connection: Connection, keys: Iterable[GradeKey], change: Change) -> Non
         entries = enter_all(connection, change, len(new))
         for (student, sheet, found), number in zip(new, entries, strict=True):
             rows.append({"student": student, "sheet": sheet, "hash": found, "entry": number})
-        if rows:
-            connection.execute(submission.insert(), rows)
+        _add(connection, submission, rows)
 
 
 def all_newest(connection: Connection, keys: Sequence[GradeKey]) -> dict[GradeKey, int]:
@@ -95,13 +94,15 @@ def save(
     """Adds grades, but for those whose last one says the same, and lets them count."""
     see(connection, graded, change)
     last = all_newest(connection, [*graded])
+    same: dict[GradeKey, int] = {}
     new: list[tuple[GradeKey, Rows, Rows]] = []
     for key, verdicts in graded.items():
         judged, found = _to_rows(verdicts)
         if key in last and _says(connection, last[key], judged, found):
-            let_count(connection, {key: last[key]}, change)
+            same[key] = last[key]
         else:
             new.append((key, judged, found))
+    let_count(connection, same, change)
 
     rows: dict[Table, Rows] = {grade: [], verdict: [], finding: [], counted: []}
     entries = enter_all(connection, change, len(new))
@@ -111,8 +112,7 @@ def save(
         rows[finding] += [{"grade": entry, **row} for row in found]
         rows[counted].append(_counting(key, entry, entry))
     for table, added in rows.items():
-        if added:
-            connection.execute(table.insert(), added)
+        _add(connection, table, added)
 
 
 def let_count(connection: Connection, numbers: Mapping[GradeKey, int], change: Change) -> None:
@@ -124,8 +124,7 @@ def let_count(connection: Connection, numbers: Mapping[GradeKey, int], change: C
     rows: Rows = []
     for (key, number), entry in zip(others.items(), entries, strict=True):
         rows.append(_counting(key, number, entry))
-    if rows:
-        connection.execute(counted.insert(), rows)
+    _add(connection, counted, rows)
 
 
 def _counts(connection: Connection, key: GradeKey, number: int) -> bool:
@@ -133,6 +132,11 @@ def _counts(connection: Connection, key: GradeKey, number: int) -> bool:
     same = (counted.c.student == key.student, counted.c.sheet == key.sheet)
     query = select(counted.c.grade).where(*same).order_by(counted.c.entry.desc()).limit(1)
     return connection.scalar(query) == number
+
+
+def _add(connection: Connection, table: Table, rows: Rows) -> None:
+    if rows:  # without any, a row of defaults would be added
+        connection.execute(table.insert(), rows)
 
 
 def _counting(key: GradeKey, number: int, entry: int) -> dict[str, Any]:

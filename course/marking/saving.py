@@ -2,7 +2,6 @@
 
 import time
 from collections.abc import Sequence
-from types import TracebackType
 from typing import Self
 
 from ...grader.marking.verdict import Verdict
@@ -15,7 +14,8 @@ MOST = 50
 class Saving:
     """A context manager: at its end, be it by Ctrl-C, all that was added is saved.
 
-    Who kills the process loses what came in the last moment; it is marked again.
+    Who kills the process loses what waits: what came right behind a transaction, until the next
+    grade comes. It is marked again.
     """
 
     def __init__(self, gradebook: Gradebook) -> None:
@@ -25,7 +25,7 @@ class Saving:
         self._last = 0.0
 
     def add(self, key: GradeKey, verdicts: Sequence[Verdict]) -> None:
-        """Takes a grade, and saves it with those that wait, if the last were not saved just now.
+        """Takes a grade, and saves it with those that wait, unless some were saved just now.
 
         Raises:
             CourseError: the gradebook cannot be written.
@@ -43,11 +43,6 @@ class Saving:
         """Itself."""
         return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         """Saves what is left."""
         self._save()

@@ -1,6 +1,6 @@
 """Where a student's q stands among the singular postures of the student's own arm."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -9,7 +9,7 @@ from markupsafe import Markup
 from numpy.typing import NDArray
 
 from ...exercises.exercise import Exercise
-from ...solutions.chain import Chain, elementary
+from ...solutions.kinematics import multiplied
 from ...solutions.robot import Robot
 from ...solutions.robots import robot
 from ..language.speech import later, phrase
@@ -17,7 +17,6 @@ from ..language.speech import later, phrase
 Array = NDArray[np.float64]
 TITLE = later("Where your arm is singular, and where you are")
 HERE = later("your q")
-MOTION = {"R": "Rz", "P": "Tz"}
 SAME = 1e-6  # [m]: of one tool point that is computed in two ways
 
 
@@ -57,15 +56,7 @@ def _candidates(
 def _is_drawn(exercise: Exercise, v: dict[str, Any], tool: Array) -> bool:
     """Whether a tool frame is one that the student sees; a form of the robot may be drawn."""
     for drawing in exercise.drawings(v):
-        seen = _tool_point(drawing.chain, drawing.q)
-        if np.abs(seen - tool[:3, 3]).max() < SAME:
+        seen = multiplied(drawing.chain, drawing.q)
+        if np.abs(seen[:3, 3] - tool[:3, 3]).max() < SAME:
             return True
     return False
-
-
-def _tool_point(chain: Chain, q: Sequence[float]) -> Array:
-    """The tool point (3,) [m], multiplied out: a program pays for more than one posture."""
-    pose: Array = chain.fixed[0]
-    for kind, amount, link in zip(chain.kinds, q, chain.fixed[1:], strict=True):
-        pose = pose @ elementary(MOTION[kind], amount) @ link
-    return pose[:3, 3]

@@ -35,9 +35,9 @@ def self_check(parts: Sequence[Part]) -> str:
     for part in parts:
         if is_on_paper(part.answer):
             continue
-        kind, _ = part.answer.self_check
+        kind, form = part.answer.self_check
         kinds.add(kind)
-        lines.append(f"    {part.variable!r}: {part.answer.self_check!r},")
+        lines.append(f"    {part.variable!r}: {(kind, form)!r},")
 
     template = files("kinegrade.course.sheet").joinpath(TEMPLATE).read_text(encoding="utf-8")
     program = _for_kinds(template, kinds)

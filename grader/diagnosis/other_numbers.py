@@ -131,8 +131,7 @@ def _moved(steps: Steps, view: View) -> Moved:
             switches.q[row, joint] = angle
 
     answers = view.of(changed(steps, view.setting, ends[2], move))
-    longer, further, turned, _ = np.split(answers.reshape(ends[2], -1), ends)
-    return Moved(longer, further, turned)
+    return Moved(*np.split(answers.reshape(ends[2], -1), ends[:2]))
 
 
 def _joints(steps: Steps, kind: str) -> list[int]:

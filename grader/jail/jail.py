@@ -5,7 +5,6 @@ from collections.abc import Sequence
 from contextlib import suppress
 from functools import cache, partial
 from queue import Empty, SimpleQueue
-from types import TracebackType
 from typing import Self
 
 from .bubblewrap import NoBubblewrapError
@@ -115,12 +114,7 @@ class Jail:
         """Itself."""
         return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         """Ends all zygotes."""
         self.close()
 

@@ -62,14 +62,16 @@ def folded(C: Array) -> tuple[float, Array, float]:
     if not (x or y):
         return 0.0, C, 0.0
 
-    first = float(np.arctan2(x, -y)) if x and y else 0.0
-    D = snapped_transforms(elementary("Rz", -first) @ C) if first else C
+    first, turned = 0.0, C
+    if x and y:
+        first = float(np.arctan2(x, -y))
+        turned = snapped_transforms(elementary("Rz", -first) @ C)
     # the row that only a last turn about z can have filled
-    level = D[1] if D[0, 2] else D[0]
+    level = turned[1] if turned[0, 2] else turned[0]
     if not (level[0] and level[1]):
-        return first, D, 0.0
+        return first, turned, 0.0
     last = float(np.arctan2(-level[1], level[0]))
-    return first, snapped_transforms(D @ elementary("Rz", -last)), last
+    return first, snapped_transforms(turned @ elementary("Rz", -last)), last
 
 
 def folds(chain: Chain) -> bool:
