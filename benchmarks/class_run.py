@@ -29,7 +29,7 @@ from kinegrade.course.settings.config import Course, Student, read_course
 from kinegrade.exercises.exercise import Exercise, Part, references
 
 SIZES = (60, 240)  # far apart: what a start costs more or less is not taken for students
-TIMES = 3
+TIMES = 5
 SHEET = "jacobian"
 EXERCISES = ("three_axis", "rrt", "puma_velocities")
 COMMAND = (sys.executable, "-c", "from kinegrade.course.cli import main; main()")

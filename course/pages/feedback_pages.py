@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import closing
 from dataclasses import dataclass
+from itertools import chain, islice
 from pathlib import Path
 from typing import Any
 
@@ -10,6 +11,7 @@ from ...exercises.files.finding import exercise_files
 from ...exercises.files.text import Text, exercise_of, exercise_text
 from ..grading.overheard import Complaint
 from ..grading.place import Place
+from ..grading.processes import WORTH
 from ..grading.task import JailOf, Task, packed, unpacked
 from ..grading.work import AS_JSON
 from ..ledger.gradebook import Gradebook
@@ -94,25 +96,29 @@ def write_all_feedback(
     """
     before = kept(PAGES, course.folder, marked.sheet.name)
     shown: dict[str, Any] = {}
-    todo: list[tuple[str, Page]] = []
-    for page in _pages(course, gradebook, marked):
-        student = page.result.student.id
-        shows = _shows(page)
-        if before.get(student) == [shows, _content(page.path)]:
-            shown[student] = before[student]
-            step()
-        else:
-            todo.append((shows, page))
-    pieces = (((shows, page), page) for shows, page in todo)
+
+    def changed() -> Iterator[tuple[str, Page]]:
+        for page in _pages(course, gradebook, marked):
+            student = page.result.student.id
+            shows = _shows(page)
+            if before.get(student) == [shows, _content(page.path)]:
+                shown[student] = before[student]
+                step()
+            else:
+                yield shows, page
+
+    pages = changed()
+    first = list(islice(pages, WORTH))  # the others are looked for while these are written
+    pieces = (((shows, page), page) for shows, page in chain(first, pages))
     try:
-        with closing(place.run(WRITE, pieces, len(todo))) as written:
+        with closing(place.run(WRITE, pieces, len(first))) as written:
             for (shows, page), result in written:
                 if isinstance(result, BaseException):
                     raise result
                 shown[page.result.student.id] = [shows, _content(page.path)]
                 step()
     finally:
-        if todo:
+        if first:
             keep(PAGES, course.folder, marked.sheet.name, before | shown)
 
 
