@@ -9,6 +9,8 @@ from answers import SLUGS
 from kinegrade.course.cli import main
 from kinegrade.course.handing_out.generate import generate
 from kinegrade.course.ledger.gradebook import Gradebook
+from kinegrade.course.marking.how import this_machine
+from kinegrade.course.marking.marker import SheetMarker
 from kinegrade.course.settings.asked import exercises_of
 from kinegrade.course.settings.config import Sheet, read_course
 from kinegrade.exercises.exercise import Exercise, references
@@ -85,6 +87,13 @@ def handed_out(folder):
     with Gradebook(folder / "gradebook.sqlite") as gradebook:
         generate(course, gradebook, course.settings.sheet)
     return course
+
+
+def marked(course, gradebook, sheet=None, *, step=lambda: None, **how):
+    """The results of a sheet, of the first where none is named, marked on this machine."""
+    with this_machine(course) as machine:
+        marker = SheetMarker(course, gradebook, sheet or course.settings.sheet[0], machine, **how)
+        return marker.results(step)
 
 
 def right_answers(course, student, sheet="one"):

@@ -4,9 +4,8 @@ import json
 
 import numpy as np
 import pytest
-from courses import hand_in, handed_out, make_course, right_answers
+from courses import hand_in, handed_out, make_course, marked, right_answers
 from kinegrade.course.ledger.gradebook import Gradebook
-from kinegrade.course.marking.marker import SheetMarker
 from kinegrade.course.settings.adjusting import adjusted, spread
 from kinegrade.course.settings.asked import exercises_of
 from kinegrade.course.settings.config import CourseError, Sheet, read_course
@@ -102,7 +101,7 @@ def test_a_part_that_is_left_out_is_neither_asked_nor_marked(tmp_path):
     assert "lever_J" in cells
     hand_in(course, "ada", right_answers(course, "ada"))
     with Gradebook(tmp_path / "gradebook.sqlite") as gradebook:
-        (result, *_) = SheetMarker(course, gradebook, course.settings.sheet[0]).results()
+        (result, *_) = marked(course, gradebook)
     assert (result.points, result.out_of) == (8, 8)
     assert list(result.earned) == ["lever_J"]
 
@@ -127,7 +126,7 @@ def test_a_changed_setting_marks_anew_and_check_hears_of_it(tmp_path):
 
 def _points(course):
     with Gradebook(course.folder / "gradebook.sqlite") as gradebook:
-        (result, *_) = SheetMarker(course, gradebook, course.settings.sheet[0]).results()
+        (result, *_) = marked(course, gradebook)
     return result.points
 
 

@@ -83,7 +83,7 @@ def test_the_exercise_of_the_docs_is_validated_released_solved_and_marked(tmp_pa
             submitted = tmp_path / "submitted" / released.student / "extra.ipynb"
             submitted.parent.mkdir(parents=True)
             submitted.write_bytes(fill_in(released.path.read_bytes(), code))
-        results = SheetMarker(course, gradebook, sheet, place=Here(jail)).results()
+        results = SheetMarker(course, gradebook, sheet, Here(jail)).results()
     assert [result.points for result in results] == [3, 2.5]
 
 

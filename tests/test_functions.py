@@ -7,9 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 from answers import answer_code
-from courses import exercise_of, hand_in, handed_out, make_course, notebook
+from courses import exercise_of, hand_in, handed_out, make_course, marked, notebook
 from kinegrade.course.ledger.gradebook import Gradebook
-from kinegrade.course.marking.marker import SheetMarker
 from kinegrade.course.proof.validate import validate_file
 from kinegrade.course.settings.config import read_course
 from kinegrade.course.sheet.submissions import Submission
@@ -393,10 +392,7 @@ def unsent(folder, argument, **more):
 def graded(folder):
     course = read_course(folder)
     with Gradebook(folder / "gradebook.sqlite") as gradebook:
-        return {
-            r.student.id: r
-            for r in SheetMarker(course, gradebook, course.settings.sheet[0]).results()
-        }
+        return {result.student.id: result for result in marked(course, gradebook)}
 
 
 @pytest.mark.parametrize(

@@ -17,6 +17,7 @@ from courses import (
     hand_in,
     handed_out,
     make_course,
+    marked,
     notebook,
     right_answers,
 )
@@ -51,10 +52,8 @@ def graded(folder, *, accept_change=False):
     """Student to result, of a fresh run."""
     course = read_course(folder)
     with Gradebook(folder / "gradebook.sqlite") as gradebook:
-        marker = SheetMarker(
-            course, gradebook, course.settings.sheet[0], accept_change=accept_change
-        )
-        return {result.student.id: result for result in marker.results()}
+        results = marked(course, gradebook, accept_change=accept_change)
+        return {result.student.id: result for result in results}
 
 
 def recorded(folder):
@@ -108,7 +107,7 @@ def test_every_student_is_counted_once_in_the_progress(folder):
     (folder / "submitted" / "ben" / "one.json").unlink()
     course, steps = read_course(folder), []
     with Gradebook(folder / "gradebook.sqlite") as gradebook:
-        SheetMarker(course, gradebook, course.settings.sheet[0]).results(lambda: steps.append(1))
+        marked(course, gradebook, step=lambda: steps.append(1))
     assert len(steps) == 3
 
 
@@ -520,7 +519,7 @@ def test_marked_files_are_marked_anew_only_when_asked(folder, monkeypatch):
     assert seen == []
     course = read_course(folder)
     with Gradebook(folder / "gradebook.sqlite") as gradebook:
-        SheetMarker(course, gradebook, course.sheets()[0], again=True).results()
+        marked(course, gradebook, again=True)
     assert seen
 
 

@@ -9,14 +9,13 @@ from pathlib import Path
 
 import postgres
 import pytest
-from courses import hand_in, handed_out, make_course, right_answers
+from courses import hand_in, handed_out, make_course, marked, right_answers
 from kinegrade.course.handing_out.generate import generate
 from kinegrade.course.ledger import database
 from kinegrade.course.ledger.address import address, shown, without_password
 from kinegrade.course.ledger.entries import user
 from kinegrade.course.ledger.gradebook import Gradebook, GradeKey, Mark
 from kinegrade.course.ledger.tables import LEDGER, VERSION
-from kinegrade.course.marking.marker import SheetMarker
 from kinegrade.course.results.result import recorded_results
 from kinegrade.course.settings.config import CourseError, read_course
 from kinegrade.course.variants.variant import Record
@@ -195,7 +194,7 @@ def test_a_damaged_record_costs_one_student_who_is_named(tmp_path, what, capsys)
     connection.close()
 
     with Gradebook(path) as gradebook:
-        results = SheetMarker(course, gradebook, course.settings.sheet[0]).results()
+        results = marked(course, gradebook)
         assert [result.points for result in results] == [5, None, 5]
         sentence = (
             "lever of ben cannot be read: a row of the gradebook is damaged; put a backup back"
@@ -239,7 +238,7 @@ def test_a_damaged_grade_is_named_in_the_report_and_marked_anew(tmp_path, damage
         hand_in(course, student.id, right_answers(course, student.id))
     path, sheet = tmp_path / "gradebook.sqlite", course.settings.sheet[0]
     with Gradebook(path) as gradebook:
-        SheetMarker(course, gradebook, sheet).results()
+        marked(course, gradebook)
     where = "WHERE place = 1 AND grade IN (SELECT entry FROM grade WHERE student = 'ben')"
     run_sql(path, f"{damage} {where}")
 
@@ -251,7 +250,7 @@ def test_a_damaged_grade_is_named_in_the_report_and_marked_anew(tmp_path, damage
             "`kinegrade grade` marks anew"
         )
     with Gradebook(path) as gradebook:
-        assert [one.points for one in SheetMarker(course, gradebook, sheet).results()] == [5, 5, 5]
+        assert [one.points for one in marked(course, gradebook)] == [5, 5, 5]
         assert [one.points for one in recorded_results(course, gradebook, sheet)] == [5, 5, 5]
 
 

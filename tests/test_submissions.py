@@ -56,11 +56,12 @@ for name in ("resource", "fcntl", "pwd", "grp", "termios", "tty", "pty"):
 import kinegrade.course.student.check
 from kinegrade.course.settings.config import read_course
 from kinegrade.course.ledger.gradebook import Gradebook
+from kinegrade.course.marking.how import this_machine
 from kinegrade.course.marking.marker import SheetMarker
 sys.platform = "win32"  # not before: the standard library looks at it, too
 course = read_course(Path(sys.argv[1]))
-with Gradebook(course.folder / "gradebook.sqlite") as gradebook:
-    for result in SheetMarker(course, gradebook, course.settings.sheet[0]).results():
+with this_machine(course) as machine, Gradebook(course.folder / "gradebook.sqlite") as gradebook:
+    for result in SheetMarker(course, gradebook, course.settings.sheet[0], machine).results():
         print(result.student.id, result.points, result.reason)
 """
 

@@ -109,7 +109,7 @@ def _hand_in(course: Course, sheet: Sheet, student: Student, submission: Path) -
 
 def _result(course: Course, gradebook: Gradebook, sheet: Sheet, permission: Permission) -> Result:
     with this_machine(course, permission) as machine:
-        (result,) = SheetMarker(course, gradebook, sheet, place=machine).results()
+        (result,) = SheetMarker(course, gradebook, sheet, machine).results()
     if all(verdict.points is None for verdict in result.verdicts):
         reasons = {finding.text for one in result.verdicts for finding in one.findings}
         raise CourseError(result.reason or " ".join(sorted(reasons)))

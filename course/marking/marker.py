@@ -6,12 +6,10 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from ...exercises.exercise import Manual
-from ...grader.jail.jail import Jail
-from ...grader.jail.level import Level, Permission
+from ...grader.jail.level import Level
 from ...grader.marking.verdict import Verdict, not_graded
 from ..grading.holding import Holding
 from ..grading.place import Place
-from ..grading.processes import ThisMachine
 from ..grading.task import MARK
 from ..grading.work import Came, Done, failed, waiting
 from ..ledger.gradebook import Gradebook, GradeKey
@@ -48,18 +46,17 @@ class SheetMarker:
         course: Course,
         gradebook: Gradebook,
         sheet: Sheet,
+        place: Place,
         *,
-        place: Place | None = None,
         accept_change: bool = False,
         again: bool = False,
         only: Collection[str] = (),
     ) -> None:
         """Reads the exercises and the records.
 
-        Submissions are marked in `place`, which is left open, else on this machine. With
-        `accept_change`, moved references become the recorded ones; with `again`, marked files are
-        marked anew. Of students who are not among `only`, if that names any, what is recorded
-        stands.
+        Submissions are marked in `place`. With `accept_change`, moved references become the
+        recorded ones; with `again`, marked files are marked anew. Of students who are not among
+        `only`, if that names any, what is recorded stands.
 
         Raises:
             CourseError: the sheet was handed out, but the gradebook knows nothing of it.
@@ -70,8 +67,7 @@ class SheetMarker:
         self.again = again
         self._only = only
         self.absent: dict[str, set[str]] = {}  # students by the package that their notebooks miss
-        self._own_jail: Jail | None = None
-        self._place = place or self._this_machine()
+        self._place = place
         self._exercises = exercises_of(course, sheet)
         self._parts = asked_parts(self._exercises)
 
@@ -98,11 +94,6 @@ class SheetMarker:
         self._arrived: dict[tuple[str, str], Path] = {}  # files by student and hash
         self._came_in: dict[str, Came] = {}  # of those whose numbers may be somebody else's
 
-    def _this_machine(self) -> Place:
-        allowed = self.course.settings.packages.allow
-        self._own_jail = Jail(Permission(), allowed)
-        return ThisMachine(self._own_jail, allowed)
-
     @property
     def accepted(self) -> frozenset[str]:
         """Students whose answers changed since the hand-out, which was accepted just now."""
@@ -124,17 +115,12 @@ class SheetMarker:
         Raises:
             JailError: there is a notebook among the submissions, and none can run as it should.
         """
-        try:
-            todo = self._unmarked(step)
-            self.gradebook.see([job.key for job in todo])
-            note_arrivals(self.course, self.gradebook, self.sheet, self._arrived)
-            with self._saving:
-                self._mark_all(todo, step)
-                self._look_at_same_numbers()
-        finally:
-            if self._own_jail is not None:
-                self._place.close()
-                self._own_jail.close()
+        todo = self._unmarked(step)
+        self.gradebook.see([job.key for job in todo])
+        note_arrivals(self.course, self.gradebook, self.sheet, self._arrived)
+        with self._saving:
+            self._mark_all(todo, step)
+            self._look_at_same_numbers()
         results = [self._done[student.id] for student in self.course.students]
         return standing(self.course, self.gradebook, self.sheet, results)
 

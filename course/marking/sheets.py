@@ -38,7 +38,7 @@ def mark_sheets(
                 course,
                 gradebook,
                 sheet,
-                place=place,
+                place,
                 accept_change=how.accept_change,
                 again=how.again,
                 only=how.students,
