@@ -7,14 +7,14 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from .kind import Kind, ValueKindError, Variant, array_code, finite
+from .kind import ArrayKind, ValueKindError, Variant, finite
 from .paper import Paper, counted
 
 PAPER_ROWS = 8  # for postures of an arm with a spherical wrist there are no more
 
 
 @dataclass(frozen=True)
-class Configurations(Kind):
+class Configurations(ArrayKind):
     """A list of up to `most` configurations of `joints` numbers each, judged by the part's `check`.
 
     Its value is an array (m, joints); with one joint a plain list is read too. How many rows there
@@ -64,21 +64,9 @@ class Configurations(Kind):
             raise ValueKindError(f"takes 1 to {self.most} configurations, got {len(rows)}")
         return finite(rows, rows.shape)
 
-    def pictured(self, value: Any, v: Variant) -> NDArray[np.float64]:
-        """The rows themselves."""
-        return value
-
-    def rounded(self, value: Any) -> Any:
-        """To the asked decimals."""
-        return np.round(np.asarray(value), self.decimals)
-
     def with_decimals(self, decimals: int) -> Self:
         """The same with other decimals asked."""
         return replace(self, decimals=decimals)
-
-    def code(self, variable: str, value: Any) -> str:
-        """An array with nine decimals."""
-        return array_code(variable, value)
 
     def matlab(self, stacked: str) -> tuple[str, str]:
         """A matrix."""

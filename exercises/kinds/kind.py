@@ -108,6 +108,24 @@ class Kind:
         raise NotImplementedError
 
 
+class ArrayKind(Kind):
+    """A kind whose value is an array of numbers, to some `decimals` where these are asked."""
+
+    decimals: int
+
+    def pictured(self, value: Any, v: Variant) -> NDArray[np.float64]:
+        """The numbers themselves."""
+        return value
+
+    def rounded(self, value: Any) -> Any:
+        """To the asked decimals."""
+        return np.round(np.asarray(value), self.decimals)
+
+    def code(self, variable: str, value: Any) -> str:
+        """An array with nine decimals."""
+        return array_code(variable, value)
+
+
 def sized(shape: tuple[int, ...], what: str) -> str:
     """A shape in words: "3 x 2 numbers", "one number"."""
     if not shape:

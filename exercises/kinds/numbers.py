@@ -7,12 +7,12 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from .kind import Kind, Variant, array_code, finite, sized
+from .kind import ArrayKind, Variant, finite, sized
 from .paper import Paper, paper_of_shape
 
 
 @dataclass(frozen=True)
-class Numbers(Kind):
+class Numbers(ArrayKind):
     """A real array.
 
     `units` are nested strings that broadcast to `shape`; `decimals` are asked of the student. Its
@@ -67,21 +67,9 @@ class Numbers(Kind):
         """A finite array of the shape."""
         return finite(value, self.shape)
 
-    def pictured(self, value: Any, v: Variant) -> NDArray[np.float64]:
-        """The numbers themselves."""
-        return value
-
-    def rounded(self, value: Any) -> Any:
-        """To the asked decimals."""
-        return np.round(np.asarray(value), self.decimals)
-
     def with_decimals(self, decimals: int) -> Self:
         """The same with other decimals asked."""
         return replace(self, decimals=decimals)
-
-    def code(self, variable: str, value: Any) -> str:
-        """An array with nine decimals."""
-        return array_code(variable, value)
 
     def matlab(self, stacked: str) -> tuple[str, str]:
         """A matrix; several matrices are a cell array."""

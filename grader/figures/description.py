@@ -11,6 +11,7 @@ from ...solutions.workspace import LIMITS, SINGULAR, Section
 from .amounts import said_amounts
 from .joint_map import JointMap, short, sigma_unit, sign_rule
 
+SINGULAR_POSTURES = {short(SINGULAR): "singular postures"}  # where no factor has a name of its own
 PROVEN = 5e-3  # of the largest distance, which is printed to three digits
 
 
@@ -107,7 +108,7 @@ def _walls(part: RegionalArm, cut: Section) -> list[str]:
     names = [*factors, short(SINGULAR), LIMITS]
     return [
         _listed("Its workspace is bounded by the images of", bounding, names),
-        _listed("Singular inside the workspace", crossing, names),
+        _listed("Inside the workspace, too, lie images of", crossing, names),
         _listed("Out of the joint limits' reach", away, names),
     ]
 
@@ -116,5 +117,5 @@ def _listed(text: str, chosen: set[str], names: Sequence[str]) -> str:
     """The sentence that lists the chosen ones in the order of `names`; empty if none is chosen."""
     if not chosen:
         return ""
-    listed = sorted(chosen, key=names.index)
+    listed = [SINGULAR_POSTURES.get(name, name) for name in sorted(chosen, key=names.index)]
     return f"{text}: {', '.join(listed)}."

@@ -17,9 +17,9 @@ class Level(StrEnum):
 
 
 WALLS = {
-    Level.STRONG: "bubblewrap, Landlock and seccomp: it sees no file but its own, and no network",
-    Level.MEDIUM: "Landlock and seccomp: it reads no file but its own, and reaches no network",
-    Level.UNSAFE: "limits alone: it can do whatever the person who marks can do",
+    Level.STRONG: "bubblewrap, Landlock and seccomp: each sees no file but its own, and no network",
+    Level.MEDIUM: "Landlock and seccomp: each reads no file but its own, and reaches no network",
+    Level.UNSAFE: "limits alone: each can do whatever the person who marks can do",
 }
 """What each level is made of, as a report says it."""
 
