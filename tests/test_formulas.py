@@ -51,7 +51,14 @@ def test_given_numbers_carry_their_units(value, units, text):
 
 def test_bold_letters_are_bold_in_every_browser():
     assert "<mi>\N{MATHEMATICAL BOLD SMALL P}</mi>" in page_text(r"$\mathbf p$")
-    assert "mathvariant" not in page_text(r"$\mathbf{J}$ and $\dot{\mathbf q}_b$")
+    assert "<mi>\N{MATHEMATICAL BOLD ITALIC SMALL OMEGA}</mi>" in page_text(r"$\boldsymbol\omega$")
+    for formula in (
+        r"\mathbf{J}",
+        r"\dot{\mathbf q}_b",
+        r"\boldsymbol{\xi}_b",
+        r"\boldsymbol\Lambda",
+    ):
+        assert "mathvariant" not in page_text(f"${formula}$")
 
 
 def test_page_text_is_mathml_and_code_and_everything_else_is_escaped():

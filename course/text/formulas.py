@@ -2,8 +2,9 @@
 """LaTeX of drawn numbers, matrices and closed forms, and MathML of LaTeX for pages."""
 
 import re
+import unicodedata
 from functools import lru_cache
-from html import escape
+from html import escape, unescape
 from typing import Any
 
 import numpy as np
@@ -126,11 +127,15 @@ def mathml(latex: str, display: str = "inline") -> str:
 
 def _bold(html: str) -> str:
     """Bold letters as characters of their own: browsers pass over mathvariant."""
+    return re.sub(r'<mi mathvariant="(bold|bold-italic)">([A-Za-z]|&#x\w+;)</mi>', _letter, html)
 
-    def letter(match: re.Match[str]) -> str:
-        bold = chr(0x1D41A + ord(match[1]) - ord("a"))
-        if match[1].isupper():
-            bold = chr(0x1D400 + ord(match[1]) - ord("A"))
-        return f"<mi>{bold}</mi>"
 
-    return re.sub(r'<mi mathvariant="bold">([A-Za-z])</mi>', letter, html)
+def _letter(match: re.Match[str]) -> str:
+    """A GREEK SMALL LETTER OMEGA, say, as MATHEMATICAL BOLD ITALIC SMALL OMEGA."""
+    style = match[1].replace("-", " ").upper()
+    name = unicodedata.name(unescape(match[2]), "")
+    letter = re.fullmatch(r"(?:LATIN|GREEK) (SMALL|CAPITAL) LETTER (.+)", name)
+    if letter is None:
+        return match[0]
+    bold = unicodedata.lookup(f"MATHEMATICAL {style} {letter[1]} {letter[2]}")
+    return f"<mi>{bold}</mi>"
