@@ -7,6 +7,7 @@ from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 
 import pytest
+from kinegrade.course.ledger import database
 from kinegrade.course.ledger.gradebook import Gradebook, GradeKey, Mark, OvertakenError
 from kinegrade.course.ledger.tables import reference
 from kinegrade.course.settings.config import CourseError
@@ -163,6 +164,24 @@ def test_a_file_that_is_no_database_is_refused_and_left_as_it_is(tmp_path):
     ):
         Gradebook(path)
     assert path.read_bytes() == b"student,points\nada,5\n" * 100
+
+
+def test_a_full_disk_leaves_what_was_recorded_and_is_said(tmp_path, monkeypatch):
+    path = tmp_path / "gradebook.sqlite"
+    with Gradebook(path) as gradebook:
+        gradebook.save_records([RECORD])
+    set_up = database._set_up
+
+    def without_room(connection, record):
+        set_up(connection, record)
+        connection.execute("PRAGMA max_page_count = 1")  # SQLite takes those that there are
+
+    monkeypatch.setattr(database, "_set_up", without_room)
+    with Gradebook(path) as gradebook, pytest.raises(CourseError, match="the disk is full; what"):
+        gradebook.save_records([replace(BEN, numbers={"q": 100_000 * [0.5]})])
+    monkeypatch.undo()
+    with Gradebook(path) as gradebook:
+        assert gradebook.records("one") == [RECORD]
 
 
 def test_a_folder_in_the_place_of_the_gradebook_is_refused(tmp_path):

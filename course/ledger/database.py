@@ -13,7 +13,9 @@ from .address import POSTGRES, shown
 
 WAIT = 30  # seconds for another kinegrade; each of its changes takes milliseconds
 BUSY = ("SQLITE_BUSY", "SQLITE_LOCKED")
-LOCK_NOT_AVAILABLE = "55P03"  # PostgreSQL's code
+FULL = ("SQLITE_FULL",)
+LOCK_NOT_AVAILABLE = "55P03"  # PostgreSQL's codes
+DISK_FULL = "53100"
 ALONE = "SELECT pg_advisory_xact_lock(hashtextextended('kinegrade ' || current_schema(), 0))"
 
 
@@ -69,18 +71,24 @@ class Database:
         try:
             yield
         except DBAPIError as error:
-            if _busy(error.orig):
+            if _is(error.orig, BUSY, LOCK_NOT_AVAILABLE):
                 raise CourseError(
                     f"{self.place}: another kinegrade is at work on this course; "
                     "what was done is kept, so run the command again when that one has ended"
+                ) from error
+            if _is(error.orig, FULL, DISK_FULL):
+                raise CourseError(
+                    f"{self.place}: the disk is full; what was recorded before is whole, "
+                    "so make room and run the command again"
                 ) from error
             why = " ".join(str(error.orig).split())
             raise CourseError(f"{self.place}: not a gradebook that can be used: {why}") from error
 
 
-def _busy(error: Any) -> bool:
+def _is(error: Any, names: tuple[str, ...], code: str) -> bool:
+    """Whether SQLite gives an error one of these names, or PostgreSQL this code."""
     name = getattr(error, "sqlite_errorname", None) or ""
-    return name.startswith(BUSY) or getattr(error, "sqlstate", None) == LOCK_NOT_AVAILABLE
+    return name.startswith(names) or getattr(error, "sqlstate", None) == code
 
 
 def _postgres(url: URL) -> Engine:
