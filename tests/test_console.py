@@ -4,7 +4,12 @@ import io
 import re
 import sys
 
-from kinegrade.course.machine.console import progress
+from kinegrade.course.machine.console import progress, say
+
+
+def test_no_terminal_obeys_what_is_said(capsys):
+    say("ada: \x1b[1A\x1b[2Kall right\x07\nben \N{RIGHT-TO-LEFT OVERRIDE}")
+    assert capsys.readouterr().err == "ada: \ufffd[1A\ufffd[2Kall right\ufffd\nben \ufffd\n"
 
 
 class Terminal(io.StringIO):

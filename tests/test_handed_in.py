@@ -4,6 +4,8 @@ import io
 import json
 import os
 import stat
+import subprocess
+import sys
 import zipfile
 from datetime import UTC, datetime
 
@@ -13,6 +15,8 @@ from kinegrade.course.settings.config import CourseError
 from kinegrade.course.sheet.archive import uploads_in
 from kinegrade.course.sheet.file_names import called_after
 from kinegrade.course.sheet.handed_in import find_submission, read_handed_in
+from kinegrade.course.sheet.upload import Upload
+from kinegrade.course.sheet.versions import not_beside
 from kinegrade.course.term.received import listed_times
 from kinegrade.grader.collecting.ask import Ask, Limits
 
@@ -143,10 +147,29 @@ def test_data_and_modules_of_a_notebook_are_no_versions_of_it(course, name, sour
     assert named(course) == ("one.ipynb", ())
 
 
+def test_a_notebook_is_read_once_for_all_files_that_it_may_read(tmp_path):
+    reads = []
+    source = notebook("np.loadtxt('one (3).csv')")
+    run = Upload(tmp_path / "one.ipynb", tmp_path, 1, lambda: reads.append(1) or source)
+    tables = [Upload(tmp_path / f"one ({i}).csv", tmp_path, 1, bytes) for i in range(20)]
+    left = not_beside([run, *tables])
+    assert left == [run, *tables[:3], *tables[4:]]
+    assert len(reads) == 1
+
+
 def test_a_notebook_of_any_name_is_known_by_what_it_says_inside(course):
     put(course, "my solution.ipynb", notebook("lever_p = 1", about=ADA))
     assert named(course) == ("my solution.ipynb", ())
     assert nothing(course, "two")
+
+
+def test_what_a_notebook_says_of_itself_is_read_without_the_rest_of_it(course):
+    about = b'"metadata": {"kinegrade": {"sheet": "one", "student": "ada"}}'
+    cells = b'"cells": [{"kinegrade": 1}, {"source": "\\"kinegrade\\": {}"}, {"kinegrade": {"a'
+    put(course, "my solution.ipynb", b"{" + about + b", " + cells)  # which is no JSON
+    assert named(course) == ("my solution.ipynb", ())
+    put(course, "my solution.ipynb", b"{" + cells + b'": 1}}], ' + about + b"}")
+    assert named(course) == ("my solution.ipynb", ())
 
 
 def test_a_script_of_any_name_is_known_by_what_it_says_inside(course):
@@ -392,3 +415,48 @@ def test_a_folder_that_cannot_be_looked_into_is_no_missing_submission(course, ki
 
 def refuses(_path):
     raise PermissionError(13, "Permission denied")
+
+
+def ordinary(*words):
+    """A command, run by somebody who may not look everywhere, as the root of a machine may."""
+    rights = "-dac_override,-dac_read_search,-fowner"
+    without = ["setpriv", "--bounding-set", rights, "--inh-caps", rights]
+    command = [sys.executable, "-c", "from kinegrade.course.cli import main; main()", *words]
+    if os.geteuid() == 0:
+        command = [*without, *command]
+    return subprocess.run(command, check=False, capture_output=True, text=True)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no such rights")
+@pytest.mark.parametrize("inner", ["", "one"])
+def test_a_folder_that_nobody_may_look_into_costs_nobody_else_anything(course, inner):
+    hand_in(course, "ben", right_answers(course, "ben"))
+    own = course.folder / "submitted" / "ada"
+    (own / "one").mkdir(parents=True)
+    (own / "one" / "one.json").write_text("{}")
+    closed = own / inner
+    closed.chmod(0o444)  # its names can be read, and nothing else
+    try:
+        ran = ordinary("grade", "-c", str(course.folder))
+        grades = (course.folder / "grades.csv").read_text()
+        looked = ordinary("report", "-c", str(course.folder))
+    finally:
+        closed.chmod(0o755)
+    assert (ran.returncode, looked.returncode) == (0, 0), ran.stderr + looked.stderr
+    assert '"ada","Ada Lovelace","","5","","not_graded"' in grades
+    assert '"ben","Ben Bot","5","5","100","graded"' in grades
+    page = (course.folder / "feedback" / "ada" / "one.html").read_text()
+    assert "cannot be looked at: Permission denied" in page
+    assert str(course.folder) not in page
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no such rights")
+def test_a_file_beside_that_cannot_be_read_is_named_without_the_folders_above(course):
+    path = hand_in(course, "ada", notebook("from helper import lever_p"), "one.ipynb")
+    helper = path.with_name("helper.py")
+    helper.write_text("lever_p = 1")
+    helper.chmod(0)
+    assert ordinary("grade", "-c", str(course.folder)).returncode == 0
+    page = (course.folder / "feedback" / "ada" / "one.html").read_text()
+    assert "submitted/ada/helper.py cannot be read: Permission denied" in page
+    assert str(course.folder) not in page

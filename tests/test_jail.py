@@ -500,7 +500,7 @@ def test_a_package_that_is_absent_is_named_to_the_instructor(class_of_three, kin
     path = class_of_three.folder / "submitted" / "ada" / "one.ipynb"
     path.write_bytes(notebook("import no_such\nlever_p = no_such.f()"))
     ran = kinegrade("grade", "--course", class_of_three.folder)
-    assert "notebooks need no_such, which is not there (ada)" in ran.err
+    assert "notebooks ask for no_such, which is not there (ada)" in ran.err
 
 
 def test_the_limits_of_a_sheet_travel_with_it_to_the_check(class_of_three):

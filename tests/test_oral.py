@@ -1,5 +1,6 @@
 """What is alike in a class is found and shown to talk about; it costs nobody a point."""
 
+import ast
 import os
 
 import numpy as np
@@ -22,6 +23,29 @@ def test_statements_know_no_comments_and_no_layout():
     assert written == {"x = compute(1, 2)", "y = compute(3)"}
     assert statements(["%timeit compute(1)\n  f( (broken"]) == {"%timeit compute(1)"}
     assert statements(["return J"]) == set()
+
+
+def test_the_head_of_a_statement_is_written_without_what_it_holds(monkeypatch):
+    written, unparse = [], ast.unparse
+
+    def noted(node):
+        written.append(unparse(node))
+        return written[-1]
+
+    monkeypatch.setattr(ast, "unparse", noted)
+    chain = "if is_ready(a):\n    first()\n" + "elif is_waiting(a):\n    second()\n" * 50
+    tried = (
+        "try:\n    with open_files():\n        pass\nexcept ValueError:\n    match one_of(them):\n"
+    )
+    held = tried + "        case 1:\n            pass"
+    heads = {"if is_ready(a):", "if is_waiting(a):", "with open_files():", "match one_of(them):"}
+    assert statements([chain, held]) == heads
+    assert max(len(text.splitlines()) for text in written) == 1
+
+
+def test_a_cell_that_nobody_typed_is_compared_line_by_line():
+    line = 'x = "' + 20_000 * "a" + '"'  # parsed, it would come back in other quotation marks
+    assert statements([line]) == {line}
 
 
 @pytest.mark.parametrize("data", [b"", b"[]", b"{", b'{"cells": [{"cell_type": "code"}]}'])
