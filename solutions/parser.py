@@ -8,7 +8,7 @@ import numpy as np
 
 from .errors import nearest
 from .nodes import BINDING, CALLED, Node, applied
-from .tokens import DEPTH, SIZE, TOO_DEEP, ExpressionError, Token, number
+from .tokens import DEPTH, LARGEST, TOO_DEEP, ExpressionError, Token, number
 
 AS_PRINTED = {"Abs": "abs"}  # functions that sympy prints under another name
 NODES = 4000  # numbers, names, functions and signs of a formula, at most
@@ -144,7 +144,7 @@ class _Parser:
         power = max(self.powers[i] for i in arguments)
         if operation == "^":
             power = _power(values[1], power, offset)
-        if operation == "/" and values[1] is not None and abs(values[1]) < 1 / SIZE:
+        if operation == "/" and values[1] is not None and abs(values[1]) < 1 / LARGEST:
             raise ExpressionError("division by zero", offset)
 
         constant = None
@@ -213,6 +213,6 @@ def _constant(operation: str, values: Sequence[Any], offset: int) -> float:
         raise ExpressionError("this has no real value", offset)
     if math.isinf(value):
         raise ExpressionError("this is not a finite number", offset)
-    if abs(value) > SIZE:
+    if abs(value) > LARGEST:
         raise ExpressionError("this number is too large", offset)
     return value

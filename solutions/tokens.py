@@ -12,7 +12,7 @@ LENGTH = 20_000  # characters that are looked at; the work of a formula is limit
 NAME = 400  # characters of a name, at most
 DEPTH = 40  # brackets and operators inside one another, at most
 DIGITS_OF_A_NUMBER = 40  # and of one number in it
-SIZE = 1e12  # of a number, at most; 1 / SIZE is the least
+LARGEST = 1e12  # of a number, at most; 1 / LARGEST is the least
 GREEK = {
     "θ": "theta", "ϑ": "theta", "α": "alpha", "β": "beta", "γ": "gamma",
     "φ": "phi", "ϕ": "phi", "ψ": "psi", "π": "pi",
@@ -218,9 +218,9 @@ def number(text: str, offset: int) -> float:
 
     # 1e-400 is 0 in floating point, but was not meant as 0
     mantissa = re.split("[eE]", text)[0]
-    too_small = value < 1 / SIZE and re.search("[1-9]", mantissa) is not None
-    if value > SIZE or too_small:
+    too_small = value < 1 / LARGEST and re.search("[1-9]", mantissa) is not None
+    if value > LARGEST or too_small:
         raise ExpressionError(
-            f"a number takes a size between {1 / SIZE:g} and {SIZE:g}, or 0", offset
+            f"a number takes a size between {1 / LARGEST:g} and {LARGEST:g}, or 0", offset
         )
     return value

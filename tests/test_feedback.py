@@ -15,6 +15,7 @@ from kinegrade.course.pages.own_sheet import own_questions
 from kinegrade.course.pages.position import position
 from kinegrade.course.pages.sentences import sentence
 from kinegrade.course.results.result import Result
+from kinegrade.course.results.same_numbers import tells
 from kinegrade.course.settings.config import Student, read_course
 from kinegrade.course.term.opinions import Opinions, answer_id
 from kinegrade.course.variants.variant import Record, fingerprint
@@ -173,6 +174,26 @@ def test_a_wrong_motion_is_drawn_beside_the_arms_own(course, slug, variable, spo
     assert drawn.count('class="reference') == drawn.count('class="own') >= 1
     sketch = drawn[drawn.index("<svg") : drawn.index("</svg>")]
     assert not re.search(r"\d\.\d", sketch)  # whole pixels: it tells no numbers
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("slug", SLUGS)
+@pytest.mark.parametrize("size", [1e13, 1e308])
+def test_numbers_at_the_end_of_all_floats_are_shown_short_and_not_drawn(course, slug, size):
+    exercise, v = EXERCISES[slug], variant_of(slug)
+    answers = references(exercise, v)
+    for part in exercise.asked:
+        if isinstance(part.answer, Numbers):
+            right = np.asarray(answers[part.variable])
+            answers[part.variable] = size * np.linspace(0.5, 1.0, right.size).reshape(right.shape)
+    found = mark(exercise, v, raws_of(exercise, v, answers))
+    for part, verdict in zip(exercise.asked, found, strict=True):
+        tells(part, verdict)  # without a warning
+        assert verdict.status != "not_graded" or isinstance(part.answer, Manual)
+    text = feedback(course, exercise, found, v=v)
+    assert not re.search(r"\bnan\b", text)
+    assert not re.search(r"\d{20}", text)
+    assert LOST not in unescape(text)
 
 
 def test_the_same_motion_is_drawn_once(course):

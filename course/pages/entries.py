@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from typing import Any
 
+from ...solutions.tokens import LARGEST
 from ..text.formulas import number
 
 
@@ -60,4 +61,6 @@ def _table(matrix: Any, right: Any, decimals: int) -> list[list[Cell]]:
 def _cell(entry: Any, right: bool, decimals: int) -> Cell:
     if isinstance(entry, str):
         return Cell(entry, right, typed=True)
+    if abs(entry) > LARGEST:
+        return Cell(f"{entry:.3g}", right, typed=False)
     return Cell(number(entry, decimals), right, typed=False)

@@ -13,6 +13,7 @@ import numpy as np
 from ...exercises.drawing import Drawing
 from ...solutions.jacobian import jacobian
 from ...solutions.kinematics import frames
+from ...solutions.tokens import LARGEST
 from .vectors import Array
 
 SAME = 1e-7  # of two numbers that are computed in two ways
@@ -66,7 +67,7 @@ def motion(
         given: drawn numbers by name; a twist is recognized by the joint rates among them.
     """
     right, answer = np.asarray(reference, dtype=float), np.asarray(own, dtype=float)
-    if answer.shape != right.shape or not np.isfinite(answer).all():
+    if answer.shape != right.shape or not (np.abs(answer) <= LARGEST).all():
         return None
     for drawing in drawings:
         vectors = tuple(_vectors(drawing, right, answer, angular_first, given))

@@ -135,7 +135,8 @@ def is_printed(exercise: Exercise, v: Variant, answer: Any) -> bool:
 
 def _sizes(array: Any) -> NDArray[np.float64]:
     """The sizes of an array's numbers, without those that are common to everybody."""
-    rounded = np.round(np.abs(np.asarray(array, dtype=np.float64)), 4)
+    with np.errstate(over="ignore"):  # some hand in numbers at the end of all floats
+        rounded = np.round(np.abs(np.asarray(array, dtype=np.float64)), 4)
     sizes = {*np.asarray(rounded, dtype=np.float64).ravel().tolist()} - {0.0, 1.0}
     return np.array(sorted(sizes))
 

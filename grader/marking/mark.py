@@ -69,6 +69,7 @@ def mark_part(key: AnswerKey, part: Part, raw: Raw) -> Verdict:
     return _mark_raw(Marked(key), part, raw)
 
 
+@np.errstate(all="ignore")  # some hand in numbers at the end of all floats
 def _mark_raw(sheet: Marked, part: Part, raw: Raw) -> Verdict:
     if raw.kind == "unasked":
         return unasked(part, raw)
@@ -146,8 +147,7 @@ def _verdict(sheet: Marked, part: Part, answer: Any) -> Verdict:
 
 def _followed(sheet: Marked, part: Part, wanted: Wanted, answer: Any) -> Priced | None:
     try:
-        with np.errstate(all="ignore"):
-            return priced(sheet, part, wanted, answer)
+        return priced(sheet, part, wanted, answer)
     except Exception:  # noqa: BLE001 - so may a part's own check
         return None
 

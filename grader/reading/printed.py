@@ -2,7 +2,7 @@
 
 from collections.abc import Collection, Sequence
 
-from ...solutions.tokens import DIGITS_OF_A_NUMBER, SIZE, ExpressionError, Token
+from ...solutions.tokens import DIGITS_OF_A_NUMBER, LARGEST, ExpressionError, Token
 from .shorthands import readings
 
 TIME = "t"  # what sympy's dynamicsymbols depend on
@@ -57,6 +57,6 @@ def without_dust(tokens: Sequence[Token]) -> list[Token]:
 def _without_dust(token: Token) -> Token:
     if token.kind != "number" or len(token.text) > DIGITS_OF_A_NUMBER:
         return token
-    if 0 < float(token.text) < 1 / SIZE:
+    if 0 < float(token.text) < 1 / LARGEST:
         return token._replace(text="0")
     return token
