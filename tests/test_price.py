@@ -158,6 +158,14 @@ def test_only_wrong_numbers_can_be_shared():
     assert shared_with(PART, reference + 0.3, reference, wrong) == "ben"
 
 
+def test_who_has_many_numbers_right_computed_them_and_the_other_took_them():
+    reference = np.arange(2.0, 14.0).reshape(2, 6) / 7
+    answer = reference + np.array([[0.0], [0.3]])
+    peers = {"ben": {"t_x": answer.tolist()}}
+    assert shared_with(PART, answer, reference, peers) == ""
+    assert shared_with(PART, answer, reference + 1, peers) == "ben"
+
+
 def test_made_up_numbers_are_related_to_nothing_and_honest_ones_to_something():
     rng = np.random.default_rng(0)
     related = 0

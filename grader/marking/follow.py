@@ -71,13 +71,13 @@ def owner_of(part: Part, answer: Any, others: Others) -> str:
 def shared_with(part: Part, answer: Any, reference: Any, peers: Peers) -> str:
     """A student who handed in the same wrong numbers; empty where there is none, or it cannot tell.
 
-    Every student has other numbers, so equal wrong ones were not computed. Only those count that
-    are not the right ones of this student.
+    Every student has other numbers, so equal wrong ones were not computed twice. Whoever has many
+    that are right, too, computed them: the other one took them.
     """
     if not isinstance(part.answer, Numbers):
         return ""
     wrong = np.abs(answer - reference) > SAME
-    if different_numbers(np.where(wrong, answer, 0.0)) < TELLING:
+    if different_numbers(np.where(wrong, answer, 0.0)) < TELLING or is_own(answer, ~wrong):
         return ""
     for student, answers in peers.items():
         theirs = _array(answers.get(part.variable))
@@ -86,6 +86,11 @@ def shared_with(part: Part, answer: Any, reference: Any, peers: Peers) -> str:
         if np.abs(theirs - answer)[wrong].max() <= SAME:
             return student
     return ""
+
+
+def is_own(answer: Any, right: Any) -> bool:
+    """Whether enough numbers of an answer are right to tell that its student computed them."""
+    return different_numbers(np.where(right, answer, 0.0)) >= TELLING
 
 
 def _array(value: Any) -> NDArray[np.float64] | None:
