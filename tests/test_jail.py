@@ -503,6 +503,20 @@ def test_a_package_that_is_absent_is_named_to_the_instructor(class_of_three, kin
     assert "notebooks ask for no_such, which is not there (ada)" in ran.err
 
 
+def test_limits_below_those_that_a_sheet_was_handed_out_with_are_named(class_of_three, kinegrade):
+    put_notebook(class_of_three)
+    settings = class_of_three.folder / "course.toml"
+    before = settings.read_text()
+    for seconds, said in ((2, True), (30, False), (60, False)):
+        settings.write_text(before + f"\n[limits]\ncell_seconds = {seconds}\n")
+        ran = kinegrade("grade", "--course", class_of_three.folder)
+        sentence = (
+            "Sheet one was handed out with cell_seconds = 30, and course.toml says 2: students"
+        )
+        assert (sentence in ran.err) == said
+        assert ("was handed out with" in ran.err) == said
+
+
 def test_the_limits_of_a_sheet_travel_with_it_to_the_check(class_of_three):
     from kinegrade.course.sheet.handout import read_handout
 

@@ -1,14 +1,17 @@
 """Sheets marked one after the other; the marks stand in the gradebook and nowhere else."""
 
 from collections.abc import Collection, Mapping, Sequence
+from dataclasses import asdict
 
 from ...grader.jail.packages import not_installed
 from ..grading.place import Place
 from ..ledger.gradebook import Gradebook
 from ..machine.console import progress, say
 from ..results.result import Result
-from ..settings.config import Course, Sheet
+from ..settings.config import Course, CourseError, Sheet
+from ..sheet.about import NOTEBOOK
 from ..sheet.handed_in import strangers
+from ..sheet.handout import read_handout
 from .how import AS_USUAL, How, marking_place
 from .marker import SheetMarker
 
@@ -34,6 +37,7 @@ def mark_sheets(
     steps = len(course.students) * len(sheets)
     with marking_place(course, how, machine) as place, progress("Marking", steps) as step:
         for sheet in sheets:
+            _say_lower_limits(course, sheet)
             marker = SheetMarker(
                 course,
                 gradebook,
@@ -58,6 +62,22 @@ def _say_what_is_odd(course: Course) -> None:
 
     for name in not_installed(course.settings.packages.allow):
         say(f"course.toml allows the package {name}, which is not installed here.")
+
+
+def _say_lower_limits(course: Course, sheet: Sheet) -> None:
+    """Names limits that students were promised more of: one of their sheets stands for all."""
+    released = course.folder.glob(f"released/*/{sheet.name}{NOTEBOOK}")
+    try:
+        promised = asdict(read_handout(next(released)).limits)
+    except (StopIteration, CourseError):
+        return
+    now = course.settings.limits.model_dump()
+    for name, value in promised.items():
+        if now.get(name, value) < value:
+            say(
+                f"Sheet {sheet.name} was handed out with {name} = {value:g}, and course.toml says "
+                f"{now[name]:g}: students count on what is printed there, so put it back."
+            )
 
 
 def _renew_solutions(
