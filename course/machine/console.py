@@ -4,10 +4,12 @@ import sys
 from collections.abc import Callable, Generator
 from contextlib import contextmanager
 
+from ..text.escape import printable_lines
+
 
 def say(text: str) -> None:
-    """One line on stderr."""
-    sys.stderr.write(text + "\n")
+    """Lines on stderr, of which no terminal obeys a character."""
+    sys.stderr.write(printable_lines(text) + "\n")
 
 
 @contextmanager

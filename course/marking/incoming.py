@@ -71,7 +71,7 @@ class Incoming:
             return self.waits(student, self._damaged[student.id])
         try:
             submission = self._hand_ins.of(student.id)
-            beside = submission.beside() if submission else {}
+            beside = self._hand_ins.beside(submission) if submission else {}
         except CourseError as error:
             return self.waits(student, str(error))
         if submission is None:

@@ -9,6 +9,8 @@ from typing import Any
 
 FEW = 3  # students who share a statement; what more of them wrote, the course taught
 TELLING = 4  # shared statements that tell something
+HELD = ("body", "orelse", "handlers", "finalbody", "cases")  # where a statement has others
+LONG = 20_000  # characters of a cell
 SHORT = 12  # characters: `return J` is everybody's
 MOST = 0.5  # of the fewer statements that two students wrote by themselves
 
@@ -28,19 +30,33 @@ def statements(source: Iterable[str]) -> set[str]:
     found: set[str] = set()
     for cell in source:
         try:
-            found.update(_of_tree(ast.parse(cell)))
+            found.update(_of_cell(cell))
         except (SyntaxError, ValueError, RecursionError, MemoryError):
             found.update(" ".join(line.split()) for line in cell.splitlines())
     return {one for one in found if len(one) >= SHORT}
 
 
-def _of_tree(tree: ast.AST) -> Iterator[str]:
-    """Every simple statement, and the head of what holds others."""
-    for node in ast.walk(tree):
-        if not isinstance(node, ast.stmt):
-            continue
-        head, *_ = ast.unparse(node).splitlines() or [""]
-        yield head
+def _of_cell(cell: str) -> Iterator[str]:
+    """Every simple statement, and the head of what holds others.
+
+    Raises:
+        ValueError: nobody wrote so long a cell by hand.
+    """
+    if len(cell) > LONG:
+        raise ValueError(len(cell))
+    for node in ast.walk(ast.parse(cell)):
+        if isinstance(node, ast.stmt):
+            head, *_ = ast.unparse(_without_body(node)).splitlines() or [""]
+            yield head
+
+
+def _without_body(statement: ast.stmt) -> ast.stmt:
+    """The same without the statements that it holds, which would be written again for each head."""
+    fields = dict(ast.iter_fields(statement))
+    for name in HELD:
+        if name in fields:
+            fields[name] = []
+    return ast.copy_location(type(statement)(**fields), statement)
 
 
 def code_cells(notebook: bytes) -> list[str]:

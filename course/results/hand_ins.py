@@ -1,7 +1,7 @@
 """The files that students handed in for one sheet of a course, as they lie in submitted/."""
 
 from ..settings.config import Course, Sheet
-from ..sheet.handed_in import find_submission, misnamed, unread
+from ..sheet.handed_in import find_submission, misnamed, named_below, unread
 from ..sheet.submissions import Submission
 from ..term.received import listed_times
 
@@ -31,6 +31,15 @@ class HandIns:
             CourseError: it cannot be read, or is a link to some other file.
         """
         return find_submission(self._folder, student, self._sheet, self._names, self._received)
+
+    def beside(self, submission: Submission) -> dict[str, bytes]:
+        """The files that go with one, by name.
+
+        Raises:
+            CourseError: one of them cannot be read.
+        """
+        with named_below(self._folder):
+            return submission.beside()
 
     def unread(self, student: str) -> tuple[str, ...]:
         """Names of the files that look like versions of the one that counts."""

@@ -2,12 +2,16 @@
 
 import json
 import re
-from typing import Any, cast
+from itertools import islice
+from typing import Any
 
 KEY = "kinegrade"
 """What a notebook says of itself stands under this key of its metadata; in a script, behind it."""
 LINE = re.compile(rf"^# {KEY}: (\{{.*\}})\s*$".encode(), re.MULTILINE)
+ENTRY = re.compile(rf'"{KEY}"\s*:\s*(\{{)'.encode())
 MAX_READ = 25 << 20
+MAX_ABOUT = 1 << 18  # bytes of what a file says of itself
+MAX_ENTRIES = 20  # places that look like it
 NOTEBOOK = ".ipynb"
 SCRIPT = ".py"
 REQUEST = ".request.txt"
@@ -37,11 +41,23 @@ def whose(data: bytes, ending: str) -> tuple[str, str]:
     """Sheet and student of a handed-out notebook or script; empty where it does not say."""
     if ending not in (NOTEBOOK, SCRIPT) or len(data) > MAX_READ:
         return "", ""
+    found = LINE.finditer(data) if ending == SCRIPT else ENTRY.finditer(data)
+    for entry in islice(found, MAX_ENTRIES):
+        about = _object_at(data, entry.start(1))
+        if "sheet" in about and "student" in about:
+            return str(about["sheet"]), str(about["student"])
+    return "", ""
+
+
+def _object_at(data: bytes, start: int) -> dict[str, Any]:
+    """The JSON object that begins there; empty where none does.
+
+    A notebook is not read as a whole: a few bytes of an archive can unpack to one that fills the
+    memory.
+    """
+    text = data[start : start + MAX_ABOUT].decode(errors="replace")
     try:
-        about: Any = read_about(data, ending)
-    except (ValueError, KeyError, TypeError, RecursionError):
-        return "", ""
-    if not isinstance(about, dict):
-        return "", ""
-    said = cast("dict[str, Any]", about)
-    return str(said.get("sheet", "")), str(said.get("student", ""))
+        about, _ = json.JSONDecoder().raw_decode(text)
+    except (ValueError, RecursionError):
+        return {}
+    return about

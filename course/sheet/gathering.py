@@ -7,7 +7,7 @@ from ..errors import CourseError
 from .archive import ZIP, uploads_in
 from .file_names import called_after
 from .submissions import READERS
-from .upload import OWN_FILE, Upload, on_disk, refuse_links, visible_names
+from .upload import OWN_FILE, Upload, is_folder, is_link, on_disk, refuse_links, visible_names
 
 MAX_DEPTH = 4  # folders inside one another, below that of a sheet
 MAX_FILES = 500
@@ -68,7 +68,7 @@ def _in_archive(wanted: Wanted, path: Path, *, alone: bool) -> list[Upload]:
 
 def _in_folder(folder: Path) -> list[Upload]:
     """The files in the folder of a sheet, and in folders in it."""
-    if folder.is_symlink():
+    if is_link(folder):
         return [refused(folder, f"{folder} is a link; {OWN_FILE}")]
     found: list[Upload] = []
     waiting = [(folder, MAX_DEPTH)]
@@ -76,7 +76,7 @@ def _in_folder(folder: Path) -> list[Upload]:
         place, depth = waiting.pop(0)
         for name in visible_names(place):
             path = place / name
-            if path.is_dir() and not path.is_symlink() and depth > 1:
+            if depth > 1 and is_folder(path):
                 waiting.append((path, depth - 1))
             elif path.suffix.lower() in READERS:
                 found.append(on_disk(path, packed=True))

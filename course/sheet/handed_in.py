@@ -1,7 +1,8 @@
 """Which of a student's files counts for a sheet: the newest of those that are meant for it."""
 
 import os
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Generator, Iterable, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from datetime import datetime
 from pathlib import Path
@@ -38,9 +39,15 @@ def find_submission(
     Raises:
         CourseError: the file is there and cannot be read, or is a link to some other file.
     """
-    wanted = Wanted(folder, student, sheet, tuple(sheets) or (sheet,))
+    with named_below(folder):
+        return _found(Wanted(folder, student, sheet, tuple(sheets) or (sheet,)), received or {})
+
+
+@contextmanager
+def named_below(folder: Path) -> Generator[None]:
+    """Files in the sentences of errors are named below a folder: students read them."""
     try:
-        return _found(wanted, received or {})
+        yield
     except CourseError as error:
         raise CourseError(str(error).replace(f"{folder}{os.sep}", "")) from error
 

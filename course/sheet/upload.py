@@ -79,9 +79,9 @@ def refuse_links(path: Path) -> None:
         CourseError: the file or its folder is a link, or it has a second name.
     """
     for place in (path.parent, path):
-        if place.is_symlink():
+        if is_link(place):
             raise CourseError(f"{place} is a link; {OWN_FILE}")
-    if path.is_file() and path.stat().st_nlink > 1:
+    if stat.S_ISREG(_mode(path)) and path.stat().st_nlink > 1:
         raise CourseError(
             f"{path} is a link: the same file stands under another name, too; {OWN_FILE}"
         )
@@ -94,6 +94,34 @@ def is_own_file(path: Path) -> bool:
     except OSError:
         return False
     return stat.S_ISREG(about.st_mode) and about.st_nlink == 1
+
+
+def is_link(path: Path) -> bool:
+    """Whether there is a link.
+
+    Raises:
+        CourseError: nobody may look.
+    """
+    return stat.S_ISLNK(_mode(path))
+
+
+def is_folder(path: Path) -> bool:
+    """Whether there is a folder that is no link.
+
+    Raises:
+        CourseError: nobody may look.
+    """
+    return stat.S_ISDIR(_mode(path))
+
+
+def _mode(path: Path) -> int:
+    """What is there, a link itself; 0 where there is nothing. Raises CourseError."""
+    try:
+        return path.lstat().st_mode
+    except (FileNotFoundError, NotADirectoryError):
+        return 0
+    except OSError as error:  # its folder may be read, and not be looked into
+        raise CourseError(f"{path} cannot be looked at: {error.strerror}") from error
 
 
 def is_unseen(name: str) -> bool:
@@ -126,9 +154,10 @@ def visible_names(folder: Path) -> list[str]:
 
 def _bytes_of(path: Path) -> bytes:
     """What a file holds that is one. Raises CourseError."""
-    if path.is_symlink():  # it may point at somebody else's
+    mode = _mode(path)
+    if stat.S_ISLNK(mode):  # it may point at somebody else's
         raise CourseError(f"{path} is a link; {OWN_FILE}")
-    if path.exists() and not path.is_file():  # a pipe would be waited for
+    if mode and not stat.S_ISREG(mode):  # a pipe would be waited for
         raise CourseError(f"{path} cannot be read: it is not a file")
     try:
         return path.read_bytes()

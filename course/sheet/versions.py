@@ -13,6 +13,8 @@ from .submissions import READERS, RUN
 from .upload import Upload, mentions
 
 MATLAB = ".m"
+IMPORT = re.compile(rb"\b(?:from|import)\s+(\w+)")
+LOOKED_THROUGH = 25 << 20  # bytes in which a notebook may name its files
 
 
 @dataclass(frozen=True)
@@ -68,21 +70,30 @@ def newest(versions: Sequence[Upload], ages: Ages) -> Upload:
 
 def not_beside(meant: Sequence[Upload]) -> list[Upload]:
     """The files that are no data or module of another one, such as jacobian.csv that is read in."""
-    if len(meant) == 1:
-        return list(meant)
-    runs = [one for one in meant if one.ending in RUN]
-    return [one for one in meant if not any(_takes(run, one) for run in runs)]
+    taken: set[Path] = set()
+    for run in meant:
+        if run.ending in RUN:
+            taken.update(one.path for one in _taken_by(run, meant))
+    return [one for one in meant if one.path not in taken]
 
 
-def _takes(run: Upload, other: Upload) -> bool:
-    """Whether a notebook or script reads or imports a file of the same folder."""
-    if run is other or run.path.parent != other.path.parent or run.ending == other.ending:
-        return False
+def _taken_by(run: Upload, meant: Sequence[Upload]) -> list[Upload]:
+    """The files of the same folder that a notebook or script reads or imports."""
+    near = [one for one in meant if one.path.parent == run.path.parent]
+    others = [one for one in near if one.ending != run.ending]
+    if not others:
+        return []
     try:
-        data = run.data
+        text = run.data[:LOOKED_THROUGH]
     except CourseError:
-        return False
-    if other.ending not in RUN:
-        return mentions(data, other.path.name)
-    imported = rf"\b(?:from|import)\s+{re.escape(other.path.stem)}\b"
-    return re.search(os.fsencode(imported), data) is not None
+        return []
+    imported = set(IMPORT.findall(text))
+    taken: list[Upload] = []
+    for other in others:
+        if other.ending in RUN:
+            read = os.fsencode(other.path.stem) in imported
+        else:
+            read = mentions(text, other.path.name)
+        if read:
+            taken.append(other)
+    return taken
