@@ -12,10 +12,11 @@ from datetime import UTC, datetime
 import pytest
 from courses import hand_in, notebook, right_answers
 from kinegrade.course.settings.config import CourseError
+from kinegrade.course.sheet import upload
 from kinegrade.course.sheet.archive import uploads_in
 from kinegrade.course.sheet.file_names import called_after
 from kinegrade.course.sheet.handed_in import find_submission, read_handed_in
-from kinegrade.course.sheet.upload import Upload
+from kinegrade.course.sheet.upload import Upload, on_disk
 from kinegrade.course.sheet.versions import not_beside
 from kinegrade.course.term.received import listed_times
 from kinegrade.grader.collecting.ask import Ask, Limits
@@ -396,7 +397,7 @@ def test_a_file_beside_a_notebook_that_cannot_be_read_is_named(course, monkeypat
     put(course, "one.ipynb", b'{"cells": "data.csv"}')
     put(course, "data.csv")
     submission = found(course)
-    monkeypatch.setattr("pathlib.Path.read_bytes", refuses)
+    monkeypatch.setattr(upload, "_open_now", refuses)
     with pytest.raises(CourseError, match=r"data\.csv cannot be read: Permission denied"):
         submission.beside()
 
@@ -413,8 +414,21 @@ def test_a_folder_that_cannot_be_looked_into_is_no_missing_submission(course, ki
     assert "submitted/ada cannot be looked into" in results["ada"]["reason"]
 
 
-def refuses(_path):
+def refuses(*_):
     raise PermissionError(13, "Permission denied")
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no pipes in folders")
+def test_what_became_a_pipe_or_a_link_since_it_was_looked_at_is_not_waited_for(course, monkeypatch):
+    secret = course.folder / "secret"
+    paths = [course.folder / "submitted" / "ada" / name for name in ("one.json", "one (1).json")]
+    paths[0].parent.mkdir(parents=True)
+    os.mkfifo(paths[0])
+    paths[1].symlink_to(secret)
+    monkeypatch.setattr(upload, "_mode", lambda _: stat.S_IFREG)
+    assert on_disk(paths[0]).read() == b""
+    with pytest.raises(CourseError, match="cannot be read: Too many levels of symbolic links"):
+        on_disk(paths[1]).read()
 
 
 def ordinary(*words):
