@@ -97,7 +97,7 @@ def test_marks_go_out_and_come_back_in_a_file(course, kinegrade, tmp_path):
         "4 answers, 3 of them wait"
         in kinegrade("marks", "write", path, "--course", course.folder).err
     )
-    rows = [*csv.DictReader(path.read_text(encoding="utf-8").splitlines())]
+    rows = [*csv.DictReader(path.read_text(encoding="utf-8-sig").splitlines())]
     for row in rows:
         row["points"] = "2" if row["student"] == "ada" else "1"
     write(path, rows)
@@ -106,10 +106,25 @@ def test_marks_go_out_and_come_back_in_a_file(course, kinegrade, tmp_path):
     assert (found["ada"][1:], found["ben"][1:]) == (("9", "2", "2"), ("7", "1", "1"))
 
 
+def test_a_file_of_marks_says_that_it_is_utf_8_and_is_read_with_and_without_that(
+    course, kinegrade, tmp_path
+):
+    path = tmp_path / "marks.csv"
+    kinegrade("marks", "write", path, "--course", course.folder)
+    text = path.read_text(encoding="utf-8")
+    assert text.startswith("\ufeff")
+    for written in (text, text[1:]):
+        path.write_text(
+            written.replace('"ada","one","lever_why",""', '"ada","one","lever_why","3"'),
+            encoding="utf-8",
+        )
+        assert "1 mark" in kinegrade("marks", "read", path, "--course", course.folder).err
+
+
 def test_the_code_on_the_pages_stands_for_the_student(course, kinegrade, tmp_path):
     path = tmp_path / "marks.csv"
     kinegrade("marks", "write", path, "--course", course.folder)
-    rows = [*csv.DictReader(path.read_text(encoding="utf-8").splitlines())]
+    rows = [*csv.DictReader(path.read_text(encoding="utf-8-sig").splitlines())]
     codes = {row["student"]: row["code"] for row in rows}
     assert len(set(codes.values())) == len(codes) == 2
 
@@ -146,7 +161,7 @@ def test_a_file_from_a_spreadsheet_with_semicolons_and_decimal_commas_is_read(
     kinegrade("marks", "write", path, "--course", course.folder)
     rows = [
         row | {"points": "1,5"}
-        for row in csv.DictReader(path.read_text(encoding="utf-8").splitlines())
+        for row in csv.DictReader(path.read_text(encoding="utf-8-sig").splitlines())
     ]
     write(path, rows, ";")
     kinegrade("marks", "read", path, "--course", course.folder)
@@ -176,7 +191,7 @@ def test_one_wrong_line_enters_nothing_and_is_named(course, kinegrade, tmp_path,
     kinegrade("marks", "write", path, "--course", course.folder)
     rows = [
         row | {"points": "1"}
-        for row in csv.DictReader(path.read_text(encoding="utf-8").splitlines())
+        for row in csv.DictReader(path.read_text(encoding="utf-8-sig").splitlines())
     ]
     number = next(
         i for i, row in enumerate(rows) if (row["student"], row["part"]) == ("ada", "lever_why")
@@ -258,7 +273,7 @@ def test_marking_by_hand_touches_no_submission(course, kinegrade):
 def test_a_comment_comes_back_as_it_went_out(course, kinegrade, tmp_path, comment):
     path, again = tmp_path / "marks.csv", tmp_path / "again.csv"
     kinegrade("marks", "write", path, "--course", course.folder)
-    rows = [*csv.DictReader(path.read_text(encoding="utf-8").splitlines())]
+    rows = [*csv.DictReader(path.read_text(encoding="utf-8-sig").splitlines())]
     assert {row["comment"] for row in rows} == {""}
     for row in rows:
         row |= {"points": "1", "comment": comment}
@@ -267,7 +282,7 @@ def test_a_comment_comes_back_as_it_went_out(course, kinegrade, tmp_path, commen
         kinegrade("marks", "read", path, "--course", course.folder)
         kinegrade("marks", "write", file, "--course", course.folder)
         path = file
-    told = [*csv.DictReader(path.read_text(encoding="utf-8").splitlines())]
+    told = [*csv.DictReader(path.read_text(encoding="utf-8-sig").splitlines())]
     ours = "'" if comment.startswith(("=", "-")) else ""
     assert {row["comment"] for row in told} == {f"{ours}{comment}"}
 
@@ -305,14 +320,14 @@ def test_any_text_comes_back_from_a_spreadsheet_as_far_as_it_can_be_printed(text
 def test_no_spreadsheet_takes_the_id_of_an_answer_for_a_number(course, kinegrade, tmp_path):
     path = tmp_path / "marks.csv"
     kinegrade("marks", "write", path, "--course", course.folder)
-    rows = [*csv.DictReader(path.read_text(encoding="utf-8").splitlines())]
+    rows = [*csv.DictReader(path.read_text(encoding="utf-8-sig").splitlines())]
     assert all(re.fullmatch("id-[0-9a-f]{8}", row["answer_id"]) for row in rows)
 
 
 def test_a_file_of_before_has_the_bare_ids_and_is_read(course, kinegrade, tmp_path):
     path = tmp_path / "marks.csv"
     kinegrade("marks", "write", path, "--course", course.folder)
-    rows = [*csv.DictReader(path.read_text(encoding="utf-8").splitlines())]
+    rows = [*csv.DictReader(path.read_text(encoding="utf-8-sig").splitlines())]
     for row in rows:
         row |= {"points": "1", "answer_id": row["answer_id"].removeprefix("id-")}
     write(path, rows)
@@ -323,7 +338,7 @@ def test_a_file_of_before_has_the_bare_ids_and_is_read(course, kinegrade, tmp_pa
 def test_points_are_numbers_as_everybody_writes_them(course, kinegrade, tmp_path, points):
     path = tmp_path / "marks.csv"
     kinegrade("marks", "write", path, "--course", course.folder)
-    rows = [*csv.DictReader(path.read_text(encoding="utf-8").splitlines())]
+    rows = [*csv.DictReader(path.read_text(encoding="utf-8-sig").splitlines())]
     rows[0]["points"] = points
     write(path, rows)
     assert "points take a number" in kinegrade("marks", "read", path, "--course", course.folder).err

@@ -159,7 +159,7 @@ class Term:
         file = self.folder / "arguments.csv"
         file.unlink(missing_ok=True)
         self.do("marks", "write", str(file), sheet, "--blind")
-        rows = list(csv.DictReader(io.StringIO(file.read_text(encoding="utf-8"))))
+        rows = list(csv.DictReader(io.StringIO(file.read_text(encoding="utf-8-sig"))))
         with Gradebook(self.folder / "gradebook.sqlite") as gradebook:
             codes = variant_codes(gradebook.records(sheet))
         of_code = {code: student for student, code in codes.items()}

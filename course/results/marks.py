@@ -12,6 +12,7 @@ from ..machine.files import write_atomically
 from ..settings.text_file import csv_rows, text_of
 from ..text.escape import for_spreadsheet, from_spreadsheet
 from .by_hand import ByHand, by_hand, every_answer, the_one
+from .grades import BOM
 
 __all__ = [
     "ByHand",
@@ -83,14 +84,14 @@ def _row(one: ByHand, *, blind: bool) -> dict[str, str]:
 
 
 def write_csv(found: Sequence[ByHand], path: Path, *, blind: bool = False) -> None:
-    """The lines of `to_csv` as a file.
+    """The lines of `to_csv` as a file that spreadsheets, too, take for UTF-8.
 
     Raises:
         CourseError: a file is there already; it may hold marks.
     """
     if path.exists():
         raise CourseError(f"{path} is already there and may hold marks; name another file")
-    write_atomically(path, to_csv(found, blind=blind))
+    write_atomically(path, BOM + to_csv(found, blind=blind))
 
 
 def read_csv(path: Path, found: Sequence[ByHand], gradebook: Gradebook, *, marker: str = "") -> int:
