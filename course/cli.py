@@ -72,7 +72,7 @@ def main() -> None:
 
 
 def _show_what_the_console_can() -> None:
-    """A console without ✓ shows a question mark."""
+    """A letter that a console does not have is shown as a question mark."""
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="replace")

@@ -4,7 +4,10 @@ import io
 import re
 import sys
 
-from kinegrade.course.machine.console import progress, say
+import pytest
+from courses import hand_in, handed_out, make_course, right_answers
+from kinegrade.course.machine.console import ASCII, progress, say, shown
+from kinegrade.course.results.tables import MARKS, legend
 
 
 def test_no_terminal_obeys_what_is_said(capsys):
@@ -37,3 +40,36 @@ def test_into_a_file_there_is_no_bar(monkeypatch):
     with progress("Marking", 4) as step:
         step()
     assert file.getvalue() == ""
+
+
+def console_of(encoding):
+    return io.TextIOWrapper(io.BytesIO(), encoding=encoding)
+
+
+@pytest.mark.parametrize("encoding", ["ascii", "cp1252", "cp850", "utf-8"])
+def test_marks_differ_on_every_console_and_the_legend_has_them(monkeypatch, encoding):
+    monkeypatch.setattr(sys, "stdout", console_of(encoding))
+    marks = [shown(mark) for mark in MARKS.values()]
+    assert len(set(marks)) == len(MARKS)
+    for mark, told in zip(marks, legend().split("   "), strict=True):
+        mark.encode(encoding)
+        assert told.startswith(f"{mark} ")
+
+
+def test_only_a_console_without_the_marks_shows_others(monkeypatch):
+    monkeypatch.setattr(sys, "stdout", console_of("utf-8"))
+    assert [*map(shown, ASCII)] == [*ASCII]
+
+
+def test_right_and_wrong_look_different_on_an_ascii_console(tmp_path, kinegrade, monkeypatch):
+    made = handed_out(make_course(tmp_path))
+    hand_in(made, "ada", right_answers(made, "ada") | {"lever_J": [9, 9]})
+    out = console_of("ascii")
+    monkeypatch.setattr(sys, "stdout", out)
+    ran = kinegrade("grade", "--course", tmp_path)
+    out.seek(0)
+    table = out.read()
+    assert re.search(r"ada +\| \+x +\| +2 / 5", table)
+    assert re.search(r"ben +\| +\| +- \| no submission", table)
+    assert "+ correct" in ran.err
+    assert "x incorrect" in ran.err

@@ -6,10 +6,22 @@ from contextlib import contextmanager
 
 from ..text.escape import printable_lines
 
+ASCII = {"✓": "+", "↪": ">", "◐": "~", "✗": "x", "–": "-", "—": "-"}
+"""What stands for a mark where stdout cannot show it."""
+
 
 def say(text: str) -> None:
     """Lines on stderr, of which no terminal obeys a character."""
     sys.stderr.write(printable_lines(text) + "\n")
+
+
+def shown(text: str) -> str:
+    """A text with marks as stdout can show it: many consoles of Windows have no ✓."""
+    try:
+        text.encode(sys.stdout.encoding or "utf-8")
+    except UnicodeEncodeError:
+        return text.translate(str.maketrans(ASCII))
+    return text
 
 
 @contextmanager

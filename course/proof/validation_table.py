@@ -10,7 +10,7 @@ from rich.console import Console
 from rich.markup import escape
 from rich.table import Table
 
-from ..machine.console import say
+from ..machine.console import say, shown
 from .telling_table import telling_lines, telling_table
 from .validation import KINDS, Validation, summary
 
@@ -32,7 +32,7 @@ def show_validations(validations: Sequence[Validation]) -> None:
     for validation in validations:
         failed += bool(validation.failures)
         for line in summary(validation):
-            print(f"✗ {validation.slug}: {line}")  # noqa: T201 - data of the command
+            print(f"{shown('✗')} {validation.slug}: {line}")  # noqa: T201 - data of the command
     say(f"{len(validations) - failed} of {len(validations)} exercises are valid.")
 
 
@@ -60,8 +60,8 @@ def _outcomes(validation: Validation) -> Iterator[str]:
     """A cell for every kind of proof."""
     for kind in KINDS:
         failed = {failure.seed for failure in validation.failures if failure.kind == kind}
-        yield f"✗ {len(failed)}" if failed else "✓"
-    yield "!" if validation.guessing else "✓"
+        yield f"{shown('✗')} {len(failed)}" if failed else shown("✓")
+    yield "!" if validation.guessing else shown("✓")
 
 
 def validations_json(validations: Sequence[Validation]) -> str:

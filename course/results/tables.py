@@ -12,7 +12,7 @@ from ...exercises.exercise import Exercise, Manual
 from ...grader.marking.verdict import STATUS_WORDS, Status
 from ..language.speech import phrase
 from ..language.writing import number_text
-from ..machine.console import say
+from ..machine.console import say, shown
 from ..settings.times import late_text
 from ..text.escape import printable
 from .marks import ByHand
@@ -42,13 +42,13 @@ def terminal_table(results: Sequence[Result], exercises: Sequence[Exercise]) -> 
     for result in results:
         first = Text(printable(remark(result)))  # Text, as a string may hold markup of rich's
         marks = [_marks(result, exercise) for exercise in exercises]
-        table.add_row(result.student.id, *marks, result_text(result), first)
+        table.add_row(result.student.id, *marks, shown(result_text(result)), first)
     return table
 
 
 def _marks(result: Result, exercise: Exercise) -> str:
     """One character for every part of an exercise."""
-    marks = {verdict.part: MARKS[verdict.status] for verdict in result.verdicts}
+    marks = {verdict.part: shown(MARKS[verdict.status]) for verdict in result.verdicts}
     return "".join(marks.get(part.variable, " ") for part in exercise.asked)
 
 
@@ -81,7 +81,7 @@ def _shown_answer(one: ByHand) -> str:
 
 def legend() -> str:
     """What the marks mean."""
-    return "   ".join(f"{mark} {STATUS_WORDS[status]}" for status, mark in MARKS.items())
+    return "   ".join(f"{shown(mark)} {STATUS_WORDS[status]}" for status, mark in MARKS.items())
 
 
 def result_text(result: Result) -> str:

@@ -20,6 +20,7 @@ from ...grader.reading.unreadable import entries_named
 from ...solutions.errors import KinegradeError
 from ..language.speech import later, phrase, retold, speaking
 from ..language.translated import translations
+from ..machine.console import shown
 from ..settings.adjusting import adjusted_here
 from ..settings.config import CourseError, Mode
 from ..sheet.handed_in import read_handed_in
@@ -106,7 +107,7 @@ def _of_all(
 def remark_lines(found: Iterable[Remark]) -> Iterator[str]:
     """What is shown of remarks: a mark, the part and a sentence, then what was typed."""
     for remark in found:
-        mark_of = "✓" if remark.ok else "✗"
+        mark_of = shown("✓" if remark.ok else "✗")
         sentence, *typed = remark.text.split("\n")
         yield f"{mark_of} {remark.part:28} {printable(sentence)}"
         for line in typed:
