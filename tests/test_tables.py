@@ -4,11 +4,13 @@ import io
 import json
 
 import pytest
+from answers import EXERCISES
 from courses import lever
 from kinegrade.course.results.result import Result
 from kinegrade.course.results.tables import (
     MARKS,
     legend,
+    print_table,
     remark,
     result_text,
     results_json,
@@ -59,6 +61,32 @@ def test_ids_and_marks_are_never_broken_over_lines(tmp_path):
         line.strip().startswith("x" * 40)
         for line in printed(tmp_path, [long], width=100).splitlines()
     )
+
+
+@pytest.mark.parametrize("count", [1, 4, 8, len(EXERCISES)])
+@pytest.mark.parametrize(("width", "terminal"), [(80, True), (40, True), (140, False)])
+def test_nothing_of_many_exercises_is_cut_on_a_terminal_and_in_a_file(count, width, terminal):
+    exercises = list(EXERCISES.values())[:count]
+    parts = [part.variable for exercise in exercises for part in exercise.asked]
+    waiting = [not_graded(part, 33.25, "It waits.") for part in parts]
+    found = result(verdict(parts[0]), *waiting[1:], student=Student("s1234567", "S"))
+    console = Console(width=width, file=io.StringIO(), force_terminal=terminal, color_system=None)
+    print_table(console, [found], exercises)
+    printed = console.file.getvalue()
+    (line,) = [line for line in printed.splitlines() if "s1234567" in line]
+    assert result_text(found) in line
+    assert line.count("✓") + line.count("?") == len(parts) + 1
+    assert "…" not in printed
+    assert "It waits." in " ".join(printed.split())
+    if not terminal:
+        assert all(exercise.slug in printed for exercise in exercises)
+
+
+def test_a_terminal_that_is_wide_enough_has_no_longer_lines(tmp_path):
+    long = result(verdict("lever_p", "partly", 1.0, "word " * 60))
+    console = Console(width=60, file=io.StringIO(), force_terminal=True, color_system=None)
+    print_table(console, [long], [lever(tmp_path)])
+    assert {len(line) for line in console.file.getvalue().splitlines()} == {60}
 
 
 @pytest.mark.parametrize(

@@ -19,7 +19,7 @@ from ..pages.report import write_report
 from ..results.grades import SheetResults, grades_csv
 from ..results.requests import read_requests
 from ..results.result import Result, recorded_results
-from ..results.tables import legend, terminal_table
+from ..results.tables import legend, print_table
 from ..settings.asked import exercises_of
 from ..settings.config import Course, Sheet
 from .how import AS_USUAL, How, this_machine
@@ -120,7 +120,7 @@ def show(course: Course, marked: Sequence[tuple[Sheet, Sequence[Result]]], level
         console = Console(width=140)  # a file has no width of its own
     for sheet, results in marked:
         console.print(Text(sheet.title or sheet.name, style="bold"))
-        console.print(terminal_table(results, exercises_of(course, sheet)))
+        print_table(console, results, exercises_of(course, sheet))
     say(legend())
     if level:
         say(level)

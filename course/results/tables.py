@@ -5,6 +5,8 @@ from collections.abc import Sequence
 from typing import Any
 
 from rich.box import SIMPLE_HEAD
+from rich.console import Console
+from rich.measure import Measurement
 from rich.table import Table
 from rich.text import Text
 
@@ -27,17 +29,45 @@ MARKS: dict[Status, str] = {
     "failed": "!",
     "not_graded": "?",
 }
+ANY_WIDTH = 100_000  # columns, so that none are missing
+FOLDED = 6  # columns for the name of an exercise that is folded
+REMARK = 24  # columns that a remark has at least
 
 
-def terminal_table(results: Sequence[Result], exercises: Sequence[Exercise]) -> Table:
+def print_table(console: Console, results: Sequence[Result], exercises: Sequence[Exercise]) -> None:
+    """Prints the table of a sheet; nothing in it is ever cut.
+
+    On a narrow terminal the names of exercises are folded. Where that is not enough, and in a file,
+    lines are as long as they have to be.
+    """
+    table = terminal_table(results, exercises)
+    if console.is_terminal and _least_width(console, table) > console.width:
+        table = terminal_table(results, exercises, folded=True)
+    console.width = max(console.width, _least_width(console, table))
+    console.print(table)
+
+
+def _least_width(console: Console, table: Table) -> int:
+    """How many columns a table takes in which nothing is cut."""
+    return Measurement.get(console, console.options.update(width=ANY_WIDTH), table).minimum
+
+
+def terminal_table(
+    results: Sequence[Result], exercises: Sequence[Exercise], *, folded: bool = False
+) -> Table:
     """A line per student: a mark for every part of each exercise, points, the first remark."""
-    longest = max((len(result.student.id) for result in results), default=7)
+    longest_id = max((len(result.student.id) for result in results), default=7)
+    longest_points = max((len(result_text(result)) for result in results), default=10)
     table = Table(header_style="bold", pad_edge=False, box=SIMPLE_HEAD)
-    table.add_column("student", no_wrap=True, min_width=longest)
+    table.add_column("student", no_wrap=True, min_width=longest_id)
     for exercise in exercises:
-        table.add_column(exercise.slug, no_wrap=True, min_width=len(exercise.slug))
-    table.add_column("points", justify="right", no_wrap=True, min_width=10)
-    table.add_column("first remark")
+        if folded:
+            width = max(FOLDED, len(exercise.asked))
+            table.add_column(exercise.slug, overflow="fold", width=width)
+        else:
+            table.add_column(exercise.slug, no_wrap=True, min_width=len(exercise.slug))
+    table.add_column("points", justify="right", no_wrap=True, min_width=longest_points)
+    table.add_column("first remark", min_width=REMARK)
 
     for result in results:
         first = Text(printable(remark(result)))  # Text, as a string may hold markup of rich's
