@@ -121,6 +121,45 @@ def test_a_file_of_marks_says_that_it_is_utf_8_and_is_read_with_and_without_that
         assert "1 mark" in kinegrade("marks", "read", path, "--course", course.folder).err
 
 
+def rows_of(path):
+    return [*csv.DictReader(path.read_text(encoding="utf-8-sig").splitlines())]
+
+
+def test_a_comment_alone_is_read_and_leaves_points_as_they_are(course, kinegrade, tmp_path):
+    path, again = tmp_path / "marks.csv", tmp_path / "again.csv"
+    where = ("--course", course.folder)
+    kinegrade("marks", "write", path, *where)
+    kinegrade("marks", "set", "ada", "lever_why", "--ticks", "1", *where)  # after the file
+    rows = rows_of(path)
+    for row in rows:
+        row["comment"] = f"For {row['student']}."
+    write(path, rows)
+    assert "4 marks entered" in kinegrade("marks", "read", path, *where).err
+    with Gradebook(course.folder / "gradebook.sqlite") as gradebook:
+        marks = gradebook.marks("one")
+    assert {mark.comment for mark in marks.values()} == {"For ada.", "For ben."}
+    assert marks["ada", "lever_why"].points == 3
+    assert marks["ada", "lever_why"].ticks == "1"
+    assert marks["ben", "lever_sketch"].points is None
+
+    kinegrade("marks", "write", again, *where)
+    assert "1 mark" in kinegrade("marks", "read", again, *where).err  # the one with points
+
+
+def test_an_untouched_file_gives_nothing_to_a_new_answer(course, kinegrade, tmp_path):
+    path = tmp_path / "marks.csv"
+    where = ("--course", course.folder)
+    kinegrade("marks", "set", "ada", "lever_why", "--ticks", "1", "--comment", "So.", *where)
+    answers = json.loads((course.folder / "submitted" / "ada" / "one.json").read_text("utf-8"))
+    hand_in(course, "ada", answers | {"lever_why": "The axis is x."})
+    kinegrade("grade", *where)
+    kinegrade("marks", "write", path, *where)
+    (row,) = [row for row in rows_of(path) if row["answer"] == "The axis is x."]
+    assert (row["points"], row["ticks"], row["comment"]) == ("", "", "So.")
+    assert "0 marks entered" in kinegrade("marks", "read", path, *where).err
+    assert points_of(course, kinegrade)["ada"][2] == ""
+
+
 def test_the_code_on_the_pages_stands_for_the_student(course, kinegrade, tmp_path):
     path = tmp_path / "marks.csv"
     kinegrade("marks", "write", path, "--course", course.folder)
@@ -174,6 +213,8 @@ def test_a_file_from_a_spreadsheet_with_semicolons_and_decimal_commas_is_read(
         ({"points": "5"}, "points take 0 to 4, got 5"),
         ({"points": "-1"}, "points take 0 to 4, got -1"),
         ({"points": "nan"}, "points take 0 to 4, got nan"),
+        ({"points": "", "ticks": "9"}, "ada, lever_why: its rubric has 2 lines, got 9"),
+        ({"ticks": "9"}, "ada, lever_why: its rubric has 2 lines, got 9"),
         ({"points": "two"}, "points take a number, got 'two'"),
         ({"points": "1", "student": "zoe"}, "zoe, lever_why: there is no such answer"),
         (

@@ -72,8 +72,9 @@ class ByHand:
         Raises:
             CourseError: the points are out of range, or there is no such line.
         """
+        of_ticks = self.ticked(ticks)
         if ticks and points is None:
-            points = self.ticked(ticks)
+            points = of_ticks
         most = self.part.points
         if points is not None and not 0 <= points <= most:
             raise CourseError(

@@ -3,6 +3,7 @@
 import csv
 import io
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from ...solutions.plain_number import plain_number
@@ -63,9 +64,9 @@ def _row(one: ByHand, *, blind: bool) -> dict[str, str]:
     ticks = ""
     if one.mark is not None:
         comment = one.mark.comment
-        ticks = one.mark.ticks
         if not one.waits and one.mark.points is not None:
             points = f"{one.mark.points:g}"
+            ticks = one.mark.ticks
     rubric = [f"({i}) {worth:g}: {text}" for i, (worth, text) in enumerate(one.rubric, 1)]
     return {
         "student": one.code if blind else one.student,
@@ -95,7 +96,9 @@ def write_csv(found: Sequence[ByHand], path: Path, *, blind: bool = False) -> No
 
 
 def read_csv(path: Path, found: Sequence[ByHand], gradebook: Gradebook, *, marker: str = "") -> int:
-    """Enters all marks of a file, or none; lines without points and ticks are passed over.
+    """Enters all marks of a file, or none; lines that say nothing new are passed over.
+
+    A comment alone leaves points that an answer has as they are.
 
     Returns:
         How many were entered.
@@ -105,12 +108,12 @@ def read_csv(path: Path, found: Sequence[ByHand], gradebook: Gradebook, *, marke
     """
     marks: list[Mark] = []
     for line, row in _rows(path):
-        if not row["points"].strip() and not row["ticks"].strip():
-            continue
         try:
-            marks.append(_read_mark(found, row))
+            mark = _read_mark(found, row)
         except CourseError as error:
             raise CourseError(f"{path}, line {line}: {error}; nothing was entered") from error
+        if mark is not None:
+            marks.append(mark)
     gradebook.save_marks(marks, author=marker)
     return len(marks)
 
@@ -135,15 +138,25 @@ def _rows(path: Path) -> Iterator[tuple[int, dict[str, str]]]:
         yield row.first, cells
 
 
-def _read_mark(found: Sequence[ByHand], row: Mapping[str, str]) -> Mark:
+def _read_mark(found: Sequence[ByHand], row: Mapping[str, str]) -> Mark | None:
+    """The mark of a line; None where it holds nothing but the comment that is there already."""
+    points = row["points"].strip()
+    ticks = read_ticks(row["ticks"])
+    comment = from_spreadsheet(row["comment"])
+    if not points and not ticks and not comment.strip():
+        return None
     one = the_one(found, row["student"].strip(), row["part"].strip(), row["sheet"].strip())
+    if not points and not ticks and one.mark is not None and comment == one.mark.comment:
+        return None
     if row["answer_id"].strip().removeprefix(ID) != one.answer_id:
         raise CourseError(
             f"{one.student}, {one.part.variable}: the answer changed since this file was written"
         )
-    points = row["points"].strip()
-    comment = from_spreadsheet(row["comment"])
-    return one.new_mark(_points(points) if points else None, comment, read_ticks(row["ticks"]))
+    if points:
+        return one.new_mark(_points(points), comment, ticks)
+    if not ticks and one.mark is not None and not one.waits:
+        return replace(one.mark, comment=comment)
+    return one.new_mark(None, comment, ticks)
 
 
 def read_ticks(text: str) -> tuple[int, ...]:
