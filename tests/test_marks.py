@@ -118,7 +118,7 @@ def test_a_file_of_marks_says_that_it_is_utf_8_and_is_read_with_and_without_that
             written.replace('"ada","one","lever_why",""', '"ada","one","lever_why","3"'),
             encoding="utf-8",
         )
-        assert "1 mark" in kinegrade("marks", "read", path, "--course", course.folder).err
+        assert "1 mark entered" in kinegrade("marks", "read", path, "--course", course.folder).err
 
 
 def rows_of(path):
@@ -143,7 +143,7 @@ def test_a_comment_alone_is_read_and_leaves_points_as_they_are(course, kinegrade
     assert marks["ben", "lever_sketch"].points is None
 
     kinegrade("marks", "write", again, *where)
-    assert "1 mark" in kinegrade("marks", "read", again, *where).err  # the one with points
+    assert "1 mark entered" in kinegrade("marks", "read", again, *where).err  # the one with points
 
 
 def test_an_untouched_file_gives_nothing_to_a_new_answer(course, kinegrade, tmp_path):
@@ -183,7 +183,29 @@ def test_the_code_on_the_pages_stands_for_the_student(course, kinegrade, tmp_pat
 def test_a_code_of_nobody_is_refused(course, kinegrade):
     ran = kinegrade("marks", "set", "0000-0000", "lever_why", 3, "--course", course.folder)
     assert ran.code == 1
-    assert "0000-0000, lever_why: there is no such answer" in ran.err
+    assert "roster.csv has no student '0000-0000' and no answer has that code" in ran.err
+
+
+@pytest.mark.parametrize(
+    ("student", "words"),
+    [
+        ("nobody", "roster.csv has no student 'nobody'\n"),
+        ("adda", "roster.csv has no student 'adda' (did you mean 'ada'?)"),
+        ("cyd", "cyd, lever_why: there is no such answer to mark"),
+    ],
+)
+def test_a_mark_for_nobody_says_so(course, kinegrade, student, words):
+    ran = kinegrade("marks", "set", student, "lever_why", 3, "--course", course.folder)
+    assert ran.code == 1
+    assert words in ran.err
+
+
+def test_one_answer_that_waits_is_said_as_one(course, kinegrade, tmp_path):
+    where = ("--course", course.folder)
+    for part in ("lever_why", "lever_sketch"):
+        kinegrade("marks", "set", "ada", part, 1, *where)
+    said = kinegrade("marks", "write", tmp_path / "marks.csv", *where).err
+    assert "4 answers, 1 of them waits for a mark." in said
 
 
 def write(path, rows, delimiter=","):
@@ -216,7 +238,8 @@ def test_a_file_from_a_spreadsheet_with_semicolons_and_decimal_commas_is_read(
         ({"points": "", "ticks": "9"}, "ada, lever_why: its rubric has 2 lines, got 9"),
         ({"ticks": "9"}, "ada, lever_why: its rubric has 2 lines, got 9"),
         ({"points": "two"}, "points take a number, got 'two'"),
-        ({"points": "1", "student": "zoe"}, "zoe, lever_why: there is no such answer"),
+        ({"points": "1", "student": "zoe"}, "roster.csv has no student 'zoe'"),
+        ({"points": "1", "sheet": "on"}, "there is no sheet 'on' (did you mean 'one'?)"),
         (
             {"points": "1", "part": "lever_p"},
             "the parts are: lever_sketch, lever_why",

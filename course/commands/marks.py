@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from ..machine.console import say
+from ..machine.console import counted, say
 from .options import CourseOption, GradebookOption, SheetArguments, opened
 
 if TYPE_CHECKING:
@@ -67,7 +67,7 @@ def set_mark(
         raise typer.BadParameter("a mark takes POINTS, --ticks or --comment")
     with opened(folder, place) as (course, gradebook):
         found = list(every_answer(course, gradebook, _chosen(course, sheet)))
-        one = the_one(found, student, part, sheet or "")
+        one = the_one(course, found, student, part, sheet or "")
         mark = one.new_mark(points, comment, read_ticks(ticks))
         gradebook.save_marks([mark], author=marker, reason=reason)
         say("Entered. `kinegrade report` writes the pages with it.")
@@ -101,7 +101,9 @@ def write_marks(
         write_csv(found, file, blind=blind)
         print(file)
         waiting = sum(one.waits for one in found)
-        say(f"{len(found)} answers, {waiting} of them wait for a mark.")
+        answers = counted(len(found), "answer", "answers")
+        wait = "waits" if waiting == 1 else "wait"
+        say(f"{answers}, {waiting} of them {wait} for a mark.")
 
 
 @marks.command("read")
@@ -116,8 +118,9 @@ def read_marks(
 
     with opened(folder, place) as (course, gradebook):
         found = list(by_hand(course, gradebook, course.sheets()))
-        entered = read_csv(file, found, gradebook, marker=marker)
-        say(f"{entered} marks entered. `kinegrade report` writes the pages with them.")
+        entered = read_csv(file, course, found, gradebook, marker=marker)
+        marks_entered = counted(entered, "mark", "marks")
+        say(f"{marks_entered} entered. `kinegrade report` writes the pages with what was entered.")
 
 
 @marks.command("differing")

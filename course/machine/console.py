@@ -15,6 +15,11 @@ def say(text: str) -> None:
     sys.stderr.write(printable_lines(text) + "\n")
 
 
+def counted(number: int, one: str, many: str) -> str:
+    """A number with the word for one or for many: "1 mark", "2 marks"."""
+    return f"{number} {one if number == 1 else many}"
+
+
 def shown(text: str) -> str:
     """A text with marks as stdout can show it: many consoles of Windows have no ✓."""
     try:

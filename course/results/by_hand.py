@@ -139,13 +139,16 @@ def _verdict_on(part: Part, verdicts: Sequence[Verdict]) -> Verdict | None:
     return None
 
 
-def the_one(found: Sequence[ByHand], student: str, part: str, sheet: str = "") -> ByHand:
+def the_one(
+    course: Course, found: Sequence[ByHand], student: str, part: str, sheet: str = ""
+) -> ByHand:
     """The answer of a student to a part, on the sheet if one is named.
 
     The code of the variant, as it stands on the pages, may stand for the student.
 
     Raises:
-        CourseError: there is none, or it is on several sheets and none is named.
+        CourseError: there is none, it is on several sheets and none is named, or nobody is called
+            so.
     """
     code = read_code(student)
     these: list[ByHand] = []
@@ -158,6 +161,9 @@ def the_one(found: Sequence[ByHand], student: str, part: str, sheet: str = "") -
     if these:
         sheets = ", ".join(one.sheet for one in these)
         raise CourseError(f"{part} is on the sheets {sheets}; name one with --sheet")
+    _refuse_stranger(course, found, student)
+    if sheet:
+        course.sheet(sheet)
     parts = sorted({one.part.variable for one in found})
     listed = ", ".join(parts) or "none"
     raise CourseError(
@@ -165,3 +171,14 @@ def the_one(found: Sequence[ByHand], student: str, part: str, sheet: str = "") -
         f"the parts are: {listed}; "
         "`kinegrade grade` comes first, and a student who handed in nothing has no answer"
     )
+
+
+def _refuse_stranger(course: Course, found: Sequence[ByHand], student: str) -> None:
+    """Refuses what is neither an id of the roster nor the code of somebody who handed in."""
+    known = [one.id for one in course.students]
+    code = read_code(student)
+    if student in known or code in [one.code for one in found]:
+        return
+    no_code = " and no answer has that code" if code else ""
+    roster = course.folder / "roster.csv"
+    raise CourseError(f"{roster} has no student {student!r}{hint(student, known)}{no_code}")

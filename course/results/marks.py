@@ -10,6 +10,7 @@ from ...solutions.plain_number import plain_number
 from ..errors import CourseError
 from ..ledger.gradebook import Gradebook, Mark
 from ..machine.files import write_atomically
+from ..settings.config import Course
 from ..settings.text_file import csv_rows, text_of
 from ..text.escape import for_spreadsheet, from_spreadsheet
 from .by_hand import ByHand, by_hand, every_answer, the_one
@@ -95,7 +96,14 @@ def write_csv(found: Sequence[ByHand], path: Path, *, blind: bool = False) -> No
     write_atomically(path, BOM + to_csv(found, blind=blind))
 
 
-def read_csv(path: Path, found: Sequence[ByHand], gradebook: Gradebook, *, marker: str = "") -> int:
+def read_csv(
+    path: Path,
+    course: Course,
+    found: Sequence[ByHand],
+    gradebook: Gradebook,
+    *,
+    marker: str = "",
+) -> int:
     """Enters all marks of a file, or none; lines that say nothing new are passed over.
 
     A comment alone leaves points that an answer has as they are.
@@ -109,7 +117,7 @@ def read_csv(path: Path, found: Sequence[ByHand], gradebook: Gradebook, *, marke
     marks: list[Mark] = []
     for line, row in _rows(path):
         try:
-            mark = _read_mark(found, row)
+            mark = _read_mark(course, found, row)
         except CourseError as error:
             raise CourseError(f"{path}, line {line}: {error}; nothing was entered") from error
         if mark is not None:
@@ -138,14 +146,14 @@ def _rows(path: Path) -> Iterator[tuple[int, dict[str, str]]]:
         yield row.first, cells
 
 
-def _read_mark(found: Sequence[ByHand], row: Mapping[str, str]) -> Mark | None:
+def _read_mark(course: Course, found: Sequence[ByHand], row: Mapping[str, str]) -> Mark | None:
     """The mark of a line; None where it holds nothing but the comment that is there already."""
     points = row["points"].strip()
     ticks = read_ticks(row["ticks"])
     comment = from_spreadsheet(row["comment"])
     if not points and not ticks and not comment.strip():
         return None
-    one = the_one(found, row["student"].strip(), row["part"].strip(), row["sheet"].strip())
+    one = the_one(course, found, row["student"].strip(), row["part"].strip(), row["sheet"].strip())
     if not points and not ticks and one.mark is not None and comment == one.mark.comment:
         return None
     if row["answer_id"].strip().removeprefix(ID) != one.answer_id:
