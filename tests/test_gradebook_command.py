@@ -4,7 +4,7 @@ import re
 import stat
 
 import pytest
-from courses import hand_in, handed_out, make_course, right_answers
+from courses import CLASS, enrol, hand_in, handed_out, make_course, right_answers
 from kinegrade.course.ledger.gradebook import Gradebook, Mark
 from kinegrade.course.ledger.tables import LEDGER
 from sqlalchemy import select
@@ -87,3 +87,13 @@ def test_a_copy_never_goes_over_another_gradebook(kinegrade, folder, tmp_path):
         assert ran.code == 1
         assert f"{target} holds a gradebook already; name a new place" in ran.err
     assert rows(kept) == before
+
+
+def test_nobody_has_no_history_and_who_left_still_has_one(kinegrade, folder):
+    ran = kinegrade("gradebook", "history", "adda", "-c", folder)
+    assert ran.code == 1
+    assert "roster.csv has no student 'adda' (did you mean 'ada'?)" in ran.err
+
+    enrol(folder, CLASS[1:])
+    ran = kinegrade("gradebook", "history", "ada", "-c", folder)
+    assert (ran.code, "marked: 5 of 5" in ran.out) == (0, True)

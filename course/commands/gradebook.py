@@ -22,9 +22,13 @@ def show_history(
     from ..text.escape import printable
 
     with opened(folder, place) as (course, gradebook):
-        for sheet in course.sheets(tuple(sheets or ())):
-            for event in gradebook.history(student, sheet.name):
-                line = f"{event.at[:19]}  {sheet.name}  {event.author}  {event.what}"
+        chosen = course.sheets(tuple(sheets or ()))
+        histories = {sheet.name: gradebook.history(student, sheet.name) for sheet in chosen}
+        if not any(histories.values()):
+            course.student(student)  # who left the course still has a history
+        for sheet, events in histories.items():
+            for event in events:
+                line = f"{event.at[:19]}  {sheet}  {event.author}  {event.what}"
                 if event.reason:
                     line += f"  ({event.reason})"
                 print(printable(line))
