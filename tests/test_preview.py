@@ -34,6 +34,17 @@ def test_new_never_overwrites_and_keeps_names_apart(kinegrade, tmp_path):
     assert not (tmp_path / "exercises" / "rrt.py").exists()
 
 
+@pytest.mark.parametrize("command", [("new", "tip_speed"), ("preview", "rrt"), ("grade",)])
+def test_what_is_no_folder_is_refused_and_not_made(kinegrade, tmp_path, command):
+    file = tmp_path / "course.toml"
+    file.touch()
+    for place in (tmp_path / "nowhere", file):
+        ran = kinegrade(*command, "--course", place)
+        assert ran.code == 1
+        assert f"{place} is no folder; --course takes the one with the course.toml" in ran.err
+    assert [*tmp_path.iterdir()] == [file]
+
+
 @pytest.mark.parametrize("slug", SLUGS)
 def test_a_preview_shows_sheet_solution_and_every_known_mistake(slug):
     exercise = EXERCISES[slug]

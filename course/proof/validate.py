@@ -14,7 +14,7 @@ import numpy as np
 
 from ...exercises.exercise import ExerciseError
 from ...exercises.files.finding import exercise_files, find, load, own_files
-from ..settings.config import CourseError, read_settings
+from ..settings.config import read_settings, refuse_no_folder
 from ..variants.drawn import drawn
 from ..variants.record import canonical
 from .draw import Failure, because, failures_of
@@ -40,8 +40,7 @@ def chosen(names: Sequence[str], folder: Path) -> list[Path]:
         ExerciseError: a name is neither an exercise nor a file.
         CourseError: the course folder is none, or its course.toml cannot be read.
     """
-    if not folder.is_dir():
-        raise CourseError(f"{folder} is no folder; --course takes the one with the course.toml")
+    refuse_no_folder(folder)
     own = folder / "exercises"
     files = exercise_files(own)
     if not names:

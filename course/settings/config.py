@@ -45,6 +45,7 @@ __all__ = [
     "read_course",
     "read_roster",
     "read_settings",
+    "refuse_no_folder",
 ]
 
 SCRIPT_NAME = re.compile(r"[A-Za-z]\w{0,62}", re.ASCII)
@@ -107,8 +108,19 @@ def read_course(folder: Path) -> Course:
     Raises:
         CourseError: a file is missing, unreadable, or says something that cannot be meant.
     """
+    refuse_no_folder(folder)
     settings = read_settings(folder / "course.toml")
     return Course(folder, settings, tuple(read_roster(folder / "roster.csv")))
+
+
+def refuse_no_folder(folder: Path) -> None:
+    """Refuses what is no folder where one of a course is to be named.
+
+    Raises:
+        CourseError: it is a file, or is not there.
+    """
+    if not folder.is_dir():
+        raise CourseError(f"{folder} is no folder; --course takes the one with the course.toml")
 
 
 def read_settings(path: Path) -> Settings:
