@@ -420,6 +420,11 @@ def test_check_says_what_it_cannot_look_at(kinegrade, tmp_path, name, data, word
     assert words in complaint(kinegrade("check", tmp_path / name))
 
 
+def test_a_folder_where_a_file_is_meant_is_called_one(kinegrade, folder):
+    for command in (("marks", "read", folder, "-c", folder), ("check", folder)):
+        assert complaint(kinegrade(*command)) == f"{folder} is a folder; this takes a file"
+
+
 def failing(error):
     def fail(*_):
         raise error

@@ -110,7 +110,7 @@ def test_a_file_that_is_not_there_or_is_a_folder_is_named(tmp_path, name):
     with pytest.raises(CourseError, match=rf"{name} is not there: a course folder takes a {name}"):
         read_course(tmp_path)
     (tmp_path / name).mkdir()
-    with pytest.raises(CourseError, match=rf"{name} cannot be read"):
+    with pytest.raises(CourseError, match=rf"{name} is a folder; this takes a file"):
         read_course(tmp_path)
 
 

@@ -25,8 +25,10 @@ def text_of(path: Path, missing: str) -> str:
     """The text of a file; `missing` says what to do where it is not there.
 
     Raises:
-        CourseError: it is not there, cannot be read, or is something else than UTF-8 text.
+        CourseError: it is not there, is a folder, cannot be read, or is no UTF-8 text.
     """
+    if path.is_dir():
+        raise CourseError(f"{path} is a folder; this takes a file")
     try:
         data = path.read_bytes()
     except FileNotFoundError:

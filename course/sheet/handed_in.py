@@ -106,6 +106,8 @@ def read_handed_in(path: Path) -> Submission:
         CourseError: it cannot be read or cannot be marked, or an archive does not say which of its
             files is the one.
     """
+    if path.is_dir():
+        raise CourseError(f"{path} is a folder; this takes a file")
     if path.suffix.lower() != ZIP:
         return submission_of(on_disk(path))
     uploads = uploads_in(path)
