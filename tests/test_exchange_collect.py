@@ -114,7 +114,7 @@ def test_the_worksheet_has_the_times_whatever_its_language(collect, folder, work
 
 def test_without_a_worksheet_no_time_is_made_up(collect, folder):
     ran = collect({f"{ADA}/one.ipynb": sheet_of("ada")})
-    assert "1 files came without a time; the times of submission stand in the grading" in ran.err
+    assert "1 file came without a time; the times of submission stand in the grading" in ran.err
     assert "received.csv" not in submitted(folder)
 
 
@@ -400,6 +400,32 @@ def test_a_download_of_nobody_we_know_is_refused(kinegrade, folder, tmp_path):
     path = zip_file(tmp_path / "x.zip", {"one.ipynb": sheet_of("ada")})
     ran = kinegrade("collect", path, "-c", folder)
     assert "this is not known as the download of a system; --from says which" in ran.err
+
+
+def test_a_download_that_is_not_there_is_told_from_a_damaged_one(kinegrade, folder, tmp_path):
+    gone = kinegrade("collect", tmp_path / "nix.zip", "-c", folder)
+    (tmp_path / "bad.zip").write_bytes(zip_bytes({"one.json": b"{}"})[:40])
+    bad = kinegrade("collect", tmp_path / "bad.zip", "-c", folder)
+    assert (gone.code, bad.code) == (1, 1)
+    assert "nix.zip is not there: a download is a zip file or a folder" in gone.err
+    assert "bad.zip is no zip file, or a damaged one; download it again" in bad.err
+
+
+@pytest.mark.parametrize("system", ["canvas", "moodle", "nbgrader", "classroom"])
+def test_a_file_that_is_called_as_no_file_of_the_system_is_named(collect, folder, system):
+    ran = collect({"ada.ipynb": sheet_of("ada")}, "--from", system)
+    assert (ran.code, ran.out) == (0, "")
+    assert "ada.ipynb: not called as this system calls what is handed in; not taken" in ran.err
+    assert "0 files taken" in ran.err
+
+
+def test_files_that_are_the_systems_own_are_not_named(collect, folder):
+    files = {
+        "course/submitted/ada/one/one.ipynb": sheet_of("ada"),
+        "course/submitted/ada/one/timestamp.txt": b"2026-11-23 22:59:59.123456 UTC",
+        "source/one/one.ipynb": b"{}",
+    }
+    assert "not called as" not in collect(files, "--from", "nbgrader").err
 
 
 def test_canvas_is_recognized_and_its_numbers_are_those_of_its_gradebook(collect, folder):

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from ..machine.console import say
+from ..machine.console import counted, say
 from .options import CourseOption, GradebookOption, opened
 
 exchange = typer.Typer()
@@ -80,7 +80,8 @@ def collect(
         print(path)
     for sentence in (*taken.conflicts, *taken.notes):
         say(sentence)
-    say(f"{len(taken.paths)} files taken, {taken.unchanged} unchanged.")
+    files = counted(len(taken.paths), "file", "files")
+    say(f"{files} taken, {taken.unchanged} unchanged.")
     if taken.conflicts:
         raise typer.Exit(1)
 

@@ -51,13 +51,16 @@ def opened_download(path: Path) -> Generator[Contents]:
     """What a zip or a folder holds, as long as it is open.
 
     Raises:
-        CourseError: it is neither, or holds more files than a course hands in.
+        CourseError: it is not there, is neither, is damaged, or holds more files than a course
+            hands in.
     """
     if path.is_dir():
         yield _of_folder(path)
         return
+    if not path.exists():
+        raise CourseError(f"{path} is not there: a download is a zip file or a folder")
     if not path.is_file() or not is_zipfile(path):
-        raise CourseError(f"{path} is no download: it takes a zip file or a folder")
+        raise CourseError(f"{path} is no zip file, or a damaged one; download it again")
     try:
         with ZipFile(path) as archive:
             yield _of_zip(archive, str(path), MOST_FILES)

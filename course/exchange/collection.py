@@ -6,9 +6,11 @@ from datetime import datetime, tzinfo
 from pathlib import Path
 
 from ..errors import CourseError
+from ..machine.console import counted
 from ..settings.config import Course
+from ..text.escape import printable
 from . import canvas, classroom, gradescope, moodle, nbgrader
-from .archive import Contents, opened_download
+from .archive import Contents, File, opened_download
 from .claims import look
 from .people import People, Person
 from .taking import Taken, take
@@ -26,6 +28,7 @@ class System:
         persons: The lines of its table of people.
         without_times: What is said where files came in without a time.
         is_late: Whether the system calls a file late of which it says no time.
+        is_own: Whether a file is the system's, which nobody handed in.
     """
 
     recognizes: Callable[[Contents], bool]
@@ -33,6 +36,7 @@ class System:
     persons: Callable[[Worksheet, tzinfo | None], Iterator[Person]]
     without_times: str
     is_late: Callable[[Upload], bool] = lambda _: False
+    is_own: Callable[[File], bool] = lambda _: False
 
 
 @dataclass(frozen=True)
@@ -77,12 +81,14 @@ SYSTEMS: dict[str, System] = {
         lambda contents, _: gradescope.uploads(contents),
         _no_table,
         "the export names none for them",
+        is_own=gradescope.is_own,
     ),
     "nbgrader": System(
         nbgrader.recognizes,
         lambda contents, _: nbgrader.uploads(contents),
         _no_table,
         "there is no timestamp.txt beside them",
+        is_own=nbgrader.is_own,
     ),
     "classroom": System(
         classroom.recognizes,
@@ -108,6 +114,7 @@ def collect(course: Course, download: Path, wanted: Wanted | None = None) -> Tak
         found = [_timed(upload, system, wanted) for upload in system.uploads(contents, people)]
         taken = take(course, look(course, people, found, wanted.sheet))
         taken.conflicts[:0] = contents.refused
+        taken.notes += _on_strangers(system, contents, found)
     taken.notes += _on_times(system, found)
     return taken
 
@@ -120,6 +127,15 @@ def _people(course: Course, system: System, wanted: Wanted) -> People:
     return People(course.students, table)
 
 
+def _on_strangers(system: System, contents: Contents, found: Sequence[Upload]) -> Iterator[str]:
+    """What is said of files of which the download does not say whose they are."""
+    known = {upload.file.path for upload in found}
+    for file in contents.files:
+        if file.path not in known and not system.is_own(file):
+            place = printable(str(file.path))
+            yield f"{place}: not called as this system calls what is handed in; not taken"
+
+
 def _on_times(system: System, found: Sequence[Upload]) -> Iterator[str]:
     """What is said of files that came late, or without a time."""
     late = [upload.place for upload in found if system.is_late(upload)]
@@ -127,7 +143,8 @@ def _on_times(system: System, found: Sequence[Upload]) -> Iterator[str]:
         yield f"Called late there: {', '.join(late)}"
     timeless = [upload for upload in found if upload.received is None]
     if timeless:
-        yield f"{len(timeless)} files came without a time; {system.without_times}"
+        files = counted(len(timeless), "file", "files")
+        yield f"{files} came without a time; {system.without_times}"
 
 
 def _timed(upload: Upload, system: System, wanted: Wanted) -> Upload:

@@ -18,7 +18,12 @@ MOST = 64 << 20  # bytes of metadata
 
 def recognizes(contents: Contents) -> bool:
     """Whether a download is Gradescope's."""
-    return any(file.path.name == METADATA for file in contents.files)
+    return any(map(is_own, contents.files))
+
+
+def is_own(file: File) -> bool:
+    """Whether a file is Gradescope's own."""
+    return file.path.name == METADATA
 
 
 def uploads(contents: Contents) -> Iterator[Upload]:
@@ -27,7 +32,7 @@ def uploads(contents: Contents) -> Iterator[Upload]:
     Raises:
         CourseError: the export does not say who handed in what.
     """
-    for metadata in (file for file in contents.files if file.path.name == METADATA):
+    for metadata in filter(is_own, contents.files):
         folder = metadata.path.parent
         submissions = _submissions(metadata)
         for file in contents.files:

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from datetime import UTC, datetime
 from pathlib import PurePosixPath
 
-from .archive import Contents
+from .archive import Contents, File
 from .moments import moment
 from .people import Owner
 from .upload import Upload
@@ -16,6 +16,11 @@ SUBMITTED = "submitted"
 def recognizes(contents: Contents) -> bool:
     """Whether a download is a course folder of nbgrader's, or its submitted/."""
     return any(file.path.name == TIMESTAMP for file in contents.files)
+
+
+def is_own(file: File) -> bool:
+    """Whether a file is nbgrader's own: a time, or in a folder that nobody hands in."""
+    return file.path.name == TIMESTAMP or not _below_submitted(file.path)
 
 
 def uploads(contents: Contents) -> Iterator[Upload]:
