@@ -467,6 +467,18 @@ def test_a_disk_that_fills_up_while_a_file_is_written_names_the_file(
     assert not list(tmp_path.rglob("*.part"))
 
 
+def test_a_place_that_cannot_be_written_is_called_as_it_was_asked_for(
+    kinegrade, tmp_path, monkeypatch
+):
+    kept_out = OSError(30, "Read-only file system", str(tmp_path / ".x.svg.mnwp2ztt.part"))
+    monkeypatch.setattr(
+        "kinegrade.course.machine.files.tempfile.mkstemp", lambda **_: failing(kept_out)()
+    )
+    path = tmp_path / "x.svg"
+    said = complaint(kinegrade("plot", "planar_2r", "-o", path))
+    assert said == f"{path}: Read-only file system"
+
+
 def test_a_stopped_run_says_that_it_can_go_on(kinegrade, tmp_path, monkeypatch):
     monkeypatch.setattr(
         "kinegrade.course.commands.new_course.write_course", failing(KeyboardInterrupt())

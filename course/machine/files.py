@@ -23,6 +23,14 @@ def write_atomically(
     if isinstance(data, str):
         # A student's text may hold half a surrogate pair, for which a question mark stands.
         data = data.encode("utf-8", errors="replace")
+    try:
+        _write(path, data, mode, synced=synced)
+    except OSError as error:
+        error.filename = str(path)  # a full disk names no file, and ours is a temporary one
+        raise
+
+
+def _write(path: Path, data: bytes, mode: int, *, synced: bool) -> None:
     handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.", suffix=".part")
     try:
         with os.fdopen(handle, "wb") as file:
@@ -32,8 +40,6 @@ def write_atomically(
                 os.fsync(file.fileno())
         os.chmod(name, mode)  # noqa: PTH101 - mkstemp gives 0600; a sheet is for its student
         os.replace(name, path)  # noqa: PTH105
-    except BaseException as error:
+    except BaseException:
         Path(name).unlink(missing_ok=True)
-        if isinstance(error, OSError):
-            error.filename = str(path)  # a full disk names no file, and ours is a temporary one
         raise
