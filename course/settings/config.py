@@ -2,27 +2,24 @@
 
 import re
 import tomllib
-from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from pydantic import BaseModel, ValidationError
+from pydantic import ValidationError
 
 from ..errors import CourseError
 from .roster import DEVICE, Student, read_roster
 from .spelling import hint
 from .text_file import text_of
+from .toml_sentences import sentence
 from .toml_tables import (
-    ExerciseTable,
     Format,
-    GradebookTable,
     LimitsTable,
     MarkingTable,
     Mode,
     PackagesTable,
-    PartTable,
     Settings,
     Sheet,
 )
@@ -135,7 +132,7 @@ def read_settings(path: Path) -> Settings:
     except tomllib.TOMLDecodeError as error:
         raise CourseError(f"{path}: not TOML: {error}") from error
     except ValidationError as error:
-        raise CourseError(f"{path}: {_sentence(_telling(error))}") from error
+        raise CourseError(f"{path}: {sentence(error)}") from error
 
     settings = _in_language(_in_zone(settings))
     names = [sheet.name.casefold() for sheet in settings.sheet]
@@ -193,11 +190,12 @@ def _refuse_resit(path: Path, sheet: Sheet, settings: Settings) -> None:
     if not sheet.resit_of:
         return
     firsts = [other.name for other in settings.sheet if not other.resit_of]
-    if sheet.resit_of not in firsts:
-        raise CourseError(
-            f"{path}: sheet {sheet.name!r} is a resit of {sheet.resit_of!r}"
-            f"{hint(sheet.resit_of, firsts)}; resit_of takes the name of a sheet that is no resit"
-        )
+    if sheet.resit_of in firsts:
+        return
+    said = f"{path}: sheet {sheet.name!r} is a resit of {sheet.resit_of!r}"
+    if sheet.resit_of not in [other.name for other in settings.sheet]:
+        raise CourseError(f"{said}, and no sheet is called so{hint(sheet.resit_of, firsts)}")
+    raise CourseError(f"{said}; resit_of takes the name of a sheet that is no resit")
 
 
 def _refuse_as_file_name(path: Path, sheet: Sheet) -> None:
@@ -214,92 +212,3 @@ def _refuse_as_file_name(path: Path, sheet: Sheet) -> None:
             "letters, digits and '_', at most 63, starting with a letter, "
             f"and no word of its language; got {sheet.name!r}"
         )
-
-
-def _telling(error: ValidationError) -> Any:
-    """The first complaint about an unknown key, as a typo explains the rest, else the first."""
-    found = error.errors()
-    for one in found:
-        if one["type"] == "extra_forbidden":
-            return one
-    return found[0]
-
-
-def _sentence(complaint: Any) -> str:
-    """What pydantic complains about, for people who write course.toml."""
-    steps: list[str] = []
-    for step in complaint["loc"]:
-        if isinstance(step, int):
-            step += 1  # noqa: PLW2901 - people count tables from 1
-        steps.append(str(step))
-    where = ".".join(steps)
-
-    if complaint["type"] == "extra_forbidden":
-        *tables, key = complaint["loc"]
-        keys = _valid_keys(tables)
-        return f"unknown key {where!r}{hint(str(key), keys)}; valid here: {', '.join(keys)}"
-    if complaint["type"] == "missing":
-        return f"the key {where!r} is missing"
-    if complaint["type"] == "value_error" and not isinstance(complaint["input"], str):
-        return str(complaint["ctx"]["error"])  # of a whole table, in our own words
-    got = _shown(complaint["loc"], complaint["input"])
-    bounds = _range(complaint["loc"])
-    if bounds:
-        return f"{where} takes {bounds}, got {got}"
-    message = complaint["msg"].removeprefix("Value error, ")
-    return f"{where}: {message[:1].lower()}{message[1:]}, got {got}"
-
-
-def _range(where: Sequence[Any]) -> str:
-    """The numbers that a key of course.toml may have, in words; empty where it has text."""
-    *tables, key = where
-    if not tables:
-        return ""
-    field = _table(_table_name(tables)).model_fields.get(str(key))
-    if field is None:
-        return ""
-    numbers: dict[str, float] = {}
-    for bound in field.metadata:
-        for name in ("gt", "ge", "le"):
-            if hasattr(bound, name):
-                numbers[name] = getattr(bound, name)
-    if "le" not in numbers:
-        return ""
-    kind = "a whole number" if "int" in str(field.annotation) else "a number"
-    if "gt" in numbers:
-        return f"{kind} above {numbers['gt']:g} and up to {numbers['le']:g}"
-    return f"{kind} from {numbers['ge']:g} to {numbers['le']:g}"
-
-
-def _shown(where: tuple[Any, ...], value: Any) -> str:
-    """What was found; never the secret, nor a URL, which may hold a password."""
-    if "secret" in where or "url" in where:
-        return "something else"
-    return repr(value)[:60]
-
-
-def _valid_keys(tables: Sequence[Any]) -> list[str]:
-    """The keys of a table of course.toml; the outermost has no name."""
-    if not tables:
-        return list(Settings.model_fields)
-    return list(_table(_table_name(tables)).model_fields)
-
-
-def _table_name(tables: Sequence[Any]) -> str:
-    """As "sheet.part", of the keys and numbers that lead to a table."""
-    names = [str(step) for step in tables if not isinstance(step, int)]
-    return ".".join(names[:2])
-
-
-def _table(name: Any) -> type[BaseModel]:
-    """The table of that name; the outermost for every other name."""
-    known: dict[str, type[BaseModel]] = {
-        "sheet": Sheet,
-        "sheet.exercise": ExerciseTable,
-        "sheet.part": PartTable,
-        "limits": LimitsTable,
-        "marking": MarkingTable,
-        "gradebook": GradebookTable,
-        "packages": PackagesTable,
-    }
-    return known.get(str(name), Settings)

@@ -138,8 +138,8 @@ class LimitsTable(_Strict):
         memory_mb: Megabytes.
     """
 
-    cell_seconds: Annotated[float, Field(strict=True, gt=0, le=600)] = 30.0
-    notebook_seconds: Annotated[float, Field(strict=True, gt=0, le=3600)] = 180.0
+    cell_seconds: Annotated[float, Field(strict=True, ge=1, le=600)] = 30.0
+    notebook_seconds: Annotated[float, Field(strict=True, ge=1, le=3600)] = 180.0
     memory_mb: Annotated[int, Field(strict=True, ge=256, le=65_536)] = 2048
 
 
