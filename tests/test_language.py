@@ -175,6 +175,14 @@ def test_what_is_found_in_wrong_answers_has_german(slug, seed):
             "Read as 2.5 m. Every sign is reversed.",
             "Gelesen als 2.5 m. Alle Vorzeichen sind umgekehrt.",
         ),
+        (
+            "could not be read (rrt_J stands twice in the file; only one of them can be meant)",
+            "nicht lesbar (rrt_J steht zweimal in der Datei; gemeint sein kann nur eines davon)",
+        ),
+        (
+            "the file is not CSV: a quotation mark is left open",
+            "die Datei ist kein CSV: ein Anführungszeichen bleibt offen",
+        ),
         ("A sentence that nobody translated.", "A sentence that nobody translated."),
     ],
 )

@@ -57,6 +57,39 @@ def test_a_json_array_instead_of_an_object_says_so():
     assert "object" in from_json(b"[1]", ASKS)["J"].value
 
 
+TWICE = "J stands twice in the file; only one of them can be meant"
+
+
+@pytest.mark.parametrize(
+    ("reader", "text"),
+    [
+        (from_json, '{"J": [1], "v": [2], "J": [1]}'),
+        (from_json, '{"J": [1], "v": [2], "J": [3], "J": [4]}'),
+        (from_csv, "J\n1\nv\n2\nJ\n3\n"),
+        (from_csv, "v\n2\nJ\n1,2\nJ:\n"),
+    ],
+)
+def test_a_name_that_stands_twice_costs_its_answer_and_no_other(reader, text):
+    found = reader(text.encode(), ASKS)
+    assert (found["J"].kind, found["J"].value) == ("error", TWICE)
+    assert found["v"].value.tolist() in ([2], [[2]])
+
+
+def test_the_result_of_a_call_that_stands_twice_is_refused():
+    found = from_csv(b"f 1\n1\nf 2\n2\nf 1\n3\n", CALLS)
+    assert found["f"].value == TWICE.replace("J", "f")
+
+
+@pytest.mark.parametrize("text", ['J\n"1,2\nv\n3\n', 'v\n3\nJ\n1;"2\n', 'J\n1\nv\n"'])
+def test_a_quotation_mark_that_is_left_open_is_told_to_all(text):
+    told = {raw.value for raw in from_csv(text.encode(), ASKS).values()}
+    assert told == {"the file is not CSV: a quotation mark is left open"}
+
+
+def test_a_quotation_mark_within_a_cell_opens_nothing():
+    assert from_csv(b'J\n1\nv\na 5" pipe\n', ASKS)["v"].value == 'a 5" pipe'
+
+
 def test_nan_in_json_stays_a_number_and_is_refused_later():
     assert from_json(b'{"J": [NaN, 1e999]}', ASKS)["J"].kind == "num"
 

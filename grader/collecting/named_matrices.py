@@ -15,6 +15,8 @@ from .wire import MAX_ELEMENTS, Raw
 MAX_BYTES = 2 << 20
 MAX_MARKS = 50_000  # of what stands between values or nests them, in a whole file
 HEAD = re.compile(r"(?P<name>\w+)(?:\s+(?P<call>[0-9]{1,4}))?\s*:?")
+TWICE = object()
+"""The value of a name that has several."""
 Rows = list[list[str]]
 
 
@@ -25,12 +27,13 @@ class TooLarge(ValueError):
 def from_json(data: bytes, asks: Sequence[Ask]) -> dict[str, Raw]:
     """Values of a JSON object such as {"rrt_J": [[...], ...]}.
 
-    A broken file is an error of every answer. The results of published calls are a list, one
-    result after another. Half a surrogate pair in a text, which no file could hold, becomes the
-    replacement character.
+    A broken file is an error of every answer; a name that stands there twice is one of its own.
+    The results of published calls are a list, one result after another. Half a surrogate pair in a
+    text, which no file could hold, becomes the replacement character.
     """
     try:
-        content: Any = json.loads(_decode(data, ",:[{"), parse_int=float)
+        text = _decode(data, ",:[{")
+        content: Any = json.loads(text, parse_int=float, object_pairs_hook=_each_once)
     except TooLarge as error:
         return every(asks, str(error))
     except (ValueError, RecursionError) as error:
@@ -39,7 +42,23 @@ def from_json(data: bytes, asks: Sequence[Ask]) -> dict[str, Raw]:
         return every(asks, "the file takes a JSON object of names and matrices")
 
     values = cast("dict[str, Any]", content)
-    return {ask.name: raw_value(values.get(ask.name), ask) for ask in asks}
+    return {ask.name: _of_json(values.get(ask.name), ask) for ask in asks}
+
+
+def _each_once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    """An object in which a name that stands in it twice has `TWICE` for a value."""
+    values: dict[str, Any] = {}
+    for name, value in pairs:
+        values[name] = TWICE if name in values else value
+    return values
+
+
+def _of_json(value: Any, ask: Ask) -> Raw:
+    return _stands_twice(ask) if value is TWICE else raw_value(value, ask)
+
+
+def _stands_twice(ask: Ask) -> Raw:
+    return Raw("error", f"{ask.name} stands twice in the file; only one of them can be meant")
 
 
 def from_csv(data: bytes, asks: Sequence[Ask]) -> dict[str, Raw]:
@@ -48,7 +67,8 @@ def from_csv(data: bytes, asks: Sequence[Ask]) -> dict[str, Raw]:
     The matrices of a stack, such as three 4 x 4 transforms, follow one another. The results of
     published calls follow lines with the name and a number: `name 1`, `name 2` and so on. Cells are
     numbers or text; a text with commas stands in double quotes, where it may hold line breaks too.
-    One cell alone is read as it is, anything else as rows. Files with semicolons between cells and
+    One cell alone is read as it is, anything else as rows. A line that stands there twice is an
+    error of its name. Files with semicolons between cells and
     commas in decimals are read where there is no doubt that they are.
     """
     known = {ask.name: ask for ask in asks}
@@ -59,8 +79,11 @@ def from_csv(data: bytes, asks: Sequence[Ask]) -> dict[str, Raw]:
     except (ValueError, csv.Error) as error:
         return every(asks, f"the file is not CSV: {error}")
 
-    blocks = _blocks(rows, known)
-    return {name: _of_blocks(blocks.get(name, {}), ask) for name, ask in known.items()}
+    blocks, twice = _blocks(rows, known)
+    found: dict[str, Raw] = {}
+    for name, ask in known.items():
+        found[name] = _stands_twice(ask) if name in twice else _of_blocks(blocks[name], ask)
+    return found
 
 
 def every(asks: Sequence[Ask], reason: str) -> dict[str, Raw]:
@@ -84,18 +107,21 @@ def _decode(data: bytes, marks: str) -> str:
     return data.decode("utf-8-sig")
 
 
-def _blocks(rows: Rows, known: dict[str, Ask]) -> dict[str, dict[int, Rows]]:
-    """Rows by name and number of the call, 0 where there is none."""
-    blocks: dict[str, dict[int, Rows]] = {}
+def _blocks(rows: Rows, known: dict[str, Ask]) -> tuple[dict[str, dict[int, Rows]], set[str]]:
+    """Rows by name and number of the call, 0 where there is none; and names that stand twice."""
+    blocks: dict[str, dict[int, Rows]] = {name: {} for name in known}
+    twice: set[str] = set()
     current: Rows = []  # what stands before the first name is nobody's
     for row in rows:
         head = HEAD.fullmatch(row[0])
         if head and len(row) == 1 and head["name"] in known:
-            call = int(head["call"] or 0)
-            current = blocks.setdefault(head["name"], {}).setdefault(call, [])
+            name, call = head["name"], int(head["call"] or 0)
+            if call in blocks[name]:
+                twice.add(name)
+            current = blocks[name].setdefault(call, [])
         else:
             current.append(row)
-    return blocks
+    return blocks, twice
 
 
 def _of_blocks(blocks: dict[int, Rows], ask: Ask) -> Raw:

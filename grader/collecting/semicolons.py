@@ -13,6 +13,7 @@ MATRIX = re.compile(r"[\d.eE+\- ]*;[\d.;eE+\- ]*", re.ASCII)
 QUOTED = re.compile(r'"[^"]*+(?:""[^"]*+)*+"')
 BRACKETS = re.compile(r"[()]+|[^()]+")
 LINE_OR_SEMICOLON = re.compile(r"[\r\n;]")
+END = "the last line"
 SENTENCE = (
     "the file can be read in two ways, for it has both commas and semicolons between its cells; "
     "write 0.5,1.25 with points in decimals and commas between cells, and text with either of them "
@@ -31,7 +32,7 @@ def rows_of(text: str) -> list[list[str]]:
 
     Raises:
         Ambiguous: both separators are there and neither explains every row.
-        csv.Error: it is no CSV.
+        csv.Error: it is no CSV, or a quotation mark is left open.
     """
     comma_rows = _rows(text, ",")
     bare = QUOTED.sub('""', text)
@@ -50,7 +51,10 @@ def rows_of(text: str) -> list[list[str]]:
 
 
 def _rows(text: str, separator: str) -> list[list[str]]:
-    lines = csv.reader(io.StringIO(text, newline=""), delimiter=separator, skipinitialspace=True)
+    file = io.StringIO(f"{text}\n{END}", newline="")
+    lines = list(csv.reader(file, delimiter=separator, skipinitialspace=True))
+    if lines.pop() != [END]:  # it is in the cell of a quotation mark that nothing closes
+        raise csv.Error("a quotation mark is left open")
     rows: list[list[str]] = []
     for line in lines:
         cells = ["\n".join(cell.strip().splitlines()) for cell in line]
