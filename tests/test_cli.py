@@ -3,6 +3,7 @@
 import csv
 import json
 import sqlite3
+from importlib.metadata import version
 
 import pytest
 from answers import EXERCISES, variant_of
@@ -40,6 +41,11 @@ def test_help_lists_every_command(kinegrade):
     ran = kinegrade("--help")
     assert ran.code == 0
     assert [name for name in COMMANDS if name not in ran.out] == []
+
+
+def test_the_version_is_that_of_the_package(kinegrade):
+    ran = kinegrade("--version")
+    assert (ran.code, ran.out, ran.err) == (0, f"{version('kinegrade')}\n", "")
 
 
 @pytest.mark.parametrize("command", COMMANDS)

@@ -233,6 +233,12 @@ def test_a_student_twice_is_refused_with_both_lines(tmp_path, twin):
         roster(tmp_path, f"student,name\nada,Ada\n\nben,Ben\n{twin},Ada too\n")
 
 
+def test_a_student_twice_in_other_capitals_is_told_that_these_do_not_count(tmp_path):
+    words = r"line 3: student 'S1' is already in line 2, as 's1': .* capitals do not count"
+    with pytest.raises(CourseError, match=words):
+        roster(tmp_path, "student,name\ns1,Ada\nS1,Ben\n")
+
+
 @pytest.mark.parametrize(
     ("text", "words"),
     [

@@ -336,6 +336,12 @@ def test_a_blind_worksheet_of_nobody_is_refused(handback):
     assert "nobody of roster.csv is in it" in handback("moodle", worksheet=MOODLE_BLIND).err
 
 
+def test_a_line_of_nobody_is_named_by_what_it_has(kinegrade, folder, tmp_path):
+    worksheet = written(tmp_path / "w.csv", "Kolumna,Inna\nx,y\n")
+    ran = kinegrade("handout", "one", "--worksheet", worksheet, "-c", folder)
+    assert "w.csv: x, y: nobody of roster.csv; left as it is." in ran.err
+
+
 def test_sheets_go_to_moodle_and_into_a_folder_for_everybody(kinegrade, folder, tmp_path):
     worksheet = written(tmp_path / "w.csv", MOODLE)
     ran = kinegrade("handout", "one", "--worksheet", worksheet, "-c", folder)

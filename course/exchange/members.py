@@ -33,6 +33,7 @@ def members(course: Course, worksheet: Worksheet, rows: Iterable[tuple[str, ...]
             found.append(Member(row, people.student(owner)))
         except UnknownPersonError as error:
             who = " ".join(filter(None, [worksheet.cell(row, "number"), name]))
+            who = who or ", ".join(filter(None, row))  # no column is known, so all that it has
             say(f"{worksheet.path}: {who}: {error}; left as it is.")
             found.append(Member(row, None))
     if all(member.student is None for member in found):

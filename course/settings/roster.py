@@ -46,17 +46,24 @@ def read_roster(path: Path) -> Iterator[Student]:
             people[row.first] = cells
 
     place_of_id = _filled(columns.ids, [*people.values()])
-    seen: dict[str, int] = {}
+    seen: dict[str, tuple[int, str]] = {}
     for line, cells in people.items():
         student = _without_formula(cells[place_of_id])
         place = f"{path}, line {line}"
         _refuse_as_folder_name(place, student)
         folder = student.casefold()  # ADA and ada are one folder on some machines
         if folder in seen:
-            raise CourseError(f"{place}: student {student!r} is already in line {seen[folder]}")
-        seen[folder] = line
+            raise CourseError(f"{place}: {_stands_already(student, *seen[folder])}")
+        seen[folder] = line, student
         more = [(heading[i], cells[i]) for i in columns.more if i != place_of_id]
         yield Student(student, _name(columns, cells) or student, tuple(more))
+
+
+def _stands_already(student: str, line: int, there: str) -> str:
+    said = f"student {student!r} is already in line {line}"
+    if there == student:
+        return said
+    return f"{said}, as {there!r}: an id names a folder, in which capitals do not count"
 
 
 def _name(columns: Columns, cells: Sequence[str]) -> str:
