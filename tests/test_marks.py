@@ -70,6 +70,15 @@ def test_what_waits_is_listed_with_key_and_rubric(course, kinegrade):
     assert "3 answers wait" in ran.err
 
 
+def test_the_lines_of_an_answer_are_listed_below_one_another(course, kinegrade):
+    submitted = course.folder / "submitted" / "ada" / "one.json"
+    answers = json.loads(submitted.read_text(encoding="utf-8"))
+    hand_in(course, "ada", answers | {"lever_why": "First line.\n\tSecond\x1b line"})
+    kinegrade("grade", "--course", course.folder)
+    listed = kinegrade("marks", "list", "--course", course.folder).out
+    assert "  answer: First line.\n          \tSecond\ufffd line\n  key:" in listed
+
+
 def test_marks_entered_one_by_one_complete_the_grade(course, kinegrade):
     kinegrade(
         "marks",

@@ -16,7 +16,7 @@ from ..language.speech import phrase
 from ..language.writing import number_text
 from ..machine.console import say, shown
 from ..settings.times import late_text
-from ..text.escape import printable
+from ..text.escape import printable, printable_lines
 from .marks import ByHand
 from .result import Result
 
@@ -88,8 +88,8 @@ def show_by_hand(waiting: Sequence[ByHand]) -> None:
         rubric = [f"    ({i}) {points:g}  {text}" for i, (points, text) in enumerate(one.rubric, 1)]
         lines = [
             f"{one.student}  {one.part.variable}  {one.part.points:g} points",
-            f"  answer: {_shown_answer(one)}",
-            f"  key:    {one.key}",
+            f"  answer: {_indented(_shown_answer(one))}",
+            f"  key:    {_indented(one.key)}",
             "\n".join(rubric),
             "",
         ]
@@ -102,11 +102,16 @@ def show_by_hand(waiting: Sequence[ByHand]) -> None:
 
 def _shown_answer(one: ByHand) -> str:
     if one.answer:
-        return printable(one.answer)
+        return one.answer
     asked = one.part.answer
     if isinstance(asked, Manual) and asked.on_paper:
         return "(on paper)"
     return "(nothing)"
+
+
+def _indented(text: str) -> str:
+    """Its lines below one another, behind `answer:` or `key:`."""
+    return printable_lines(text).replace("\n", f"\n{' ' * 10}")
 
 
 def legend() -> str:
