@@ -146,6 +146,7 @@ def test_conditions_are_read_from_a_list_a_row_or_a_column(value):
     [
         (Raw("num", np.zeros(3)), "takes a list of conditions in a1, l3, q1, q2, q3"),
         (Raw("text", []), "takes 1 to 32 conditions, got 0"),
+        (Raw("text", ["q2 = 0"] * 60), "takes 1 to 32 conditions, got more than 32"),
         (Raw("text", ["q7 = 0"]), "q7"),
         (Raw("text", ["1 = 0"]), "takes a joint or another name"),
         (Raw("text", ["__import__('os') = 0"]), "__import__"),

@@ -183,6 +183,10 @@ def test_what_is_found_in_wrong_answers_has_german(slug, seed):
             "the file is not CSV: a quotation mark is left open",
             "die Datei ist kein CSV: ein Anführungszeichen bleibt offen",
         ),
+        (
+            "takes 1 to 32 conditions, got more than 32",
+            "verlangt sind 1 bis 32 Bedingungen, gefunden: mehr als 32",
+        ),
         ("A sentence that nobody translated.", "A sentence that nobody translated."),
     ],
 )

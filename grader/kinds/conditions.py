@@ -46,14 +46,17 @@ def read_conditions(answer: Conditions, raw: Raw, v: Variant) -> tuple[Condition
     angles, given = _angles(answer.domain(v)), _given(v)
     found: list[Condition] = []
     for text in texts:
-        if len(found) <= MOST_CONDITIONS:
-            for condition in _typed(text, names):
-                equations = equations_of(condition)
-                exact = [with_exact_angles(equation, angles, given) for equation in equations]
-                found.append(all_of(exact))
+        for condition in _typed(text, names):
+            equations = equations_of(condition)
+            exact = [with_exact_angles(equation, angles, given) for equation in equations]
+            found.append(all_of(exact))
+        if len(found) > MOST_CONDITIONS:
+            raise Unreadable(
+                f"takes 1 to {MOST_CONDITIONS} conditions, got more than {MOST_CONDITIONS}"
+            )
 
-    if not 1 <= len(found) <= MOST_CONDITIONS:
-        raise Unreadable(f"takes 1 to {MOST_CONDITIONS} conditions, got {len(found)}")
+    if not found:
+        raise Unreadable(f"takes 1 to {MOST_CONDITIONS} conditions, got 0")
     _refuse_too_many(found)
     return tuple(found)
 
