@@ -8,6 +8,8 @@ import pytest
 from courses import hand_in, handed_out, make_course, right_answers
 from kinegrade.course.machine.console import ASCII, progress, say, shown
 from kinegrade.course.results.tables import MARKS, legend
+from kinegrade.course.student.check import remark_lines
+from kinegrade.grader.marking.own_work import Remark
 
 
 def test_no_terminal_obeys_what_is_said(capsys):
@@ -73,3 +75,10 @@ def test_right_and_wrong_look_different_on_an_ascii_console(tmp_path, kinegrade,
     assert re.search(r"ben +\| +\| +- \| no submission", table)
     assert "+ correct" in ran.err
     assert "x incorrect" in ran.err
+
+
+@pytest.mark.parametrize(("encoding", "signs"), [("ascii", "+x"), ("utf-8", "✓✗")])
+def test_a_check_tells_right_from_wrong_on_every_console(monkeypatch, encoding, signs):
+    monkeypatch.setattr(sys, "stdout", console_of(encoding))
+    found = [Remark("rrt_J", ok=True, text="so"), Remark("rrt_J", ok=False, text="not so")]
+    assert [line[0] for line in remark_lines(found)] == [*signs]
