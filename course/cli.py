@@ -6,7 +6,6 @@ Exit 0: done. 1: `check` found something wrong, or another command could not do 
 
 import io
 import sys
-from importlib.metadata import version
 from typing import Annotated, NoReturn
 
 import typer
@@ -34,6 +33,8 @@ app = typer.Typer(
 
 def _print_version(asked: bool) -> None:
     if asked:
+        from importlib.metadata import version
+
         sys.stdout.write(f"{version('kinegrade')}\n")
         raise typer.Exit
 

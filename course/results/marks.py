@@ -133,7 +133,8 @@ def _rows(path: Path) -> Iterator[tuple[int, dict[str, str]]]:
     heading = next(rows, None)
     columns: list[str] = []
     if heading is not None:
-        columns = [cell.strip().lower() for cell in heading.cells]
+        # A script that took the file for plain UTF-8 leaves our mark of it in the first heading.
+        columns = [cell.strip().strip(BOM + '"').lower() for cell in heading.cells]
     for name in NEEDED:
         if name not in columns:
             raise CourseError(
