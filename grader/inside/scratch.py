@@ -1,5 +1,6 @@
 """The one folder that a notebook may write to: filled before it, emptied after it."""
 
+import contextlib
 import os
 import shutil
 
@@ -17,23 +18,38 @@ def fill(folder, files):
 
 def is_too_full(folder):
     """Whether a folder holds more than any sheet asks for; what cannot be looked at counts."""
+    if os.path.ismount(folder):  # its size is bounded, and it knows how many files it has
+        about = os.statvfs(folder)
+        return about.f_files - about.f_ffree > MAX_ENTRIES
     left, count = MAX_BYTES, 0
     waiting = [folder]
     while waiting:
         try:
-            entries = list(os.scandir(waiting.pop()))
-            count += len(entries)
-            for entry in entries:
-                left -= entry.stat(follow_symlinks=False).st_blocks * 512
-                if entry.is_dir(follow_symlinks=False):
-                    waiting.append(entry.path)
-        except (FileNotFoundError, NotADirectoryError, PermissionError):
-            continue  # it is gone again, or nobody can write there either
+            entries, folders, size = _looked_at(waiting.pop())
+        except (FileNotFoundError, NotADirectoryError):
+            continue  # it is gone again
         except OSError:  # a path of more than 4096 characters
             return True
+        waiting += folders
+        left -= size
+        count += entries
         if left < 0 or count > MAX_ENTRIES:
             return True
     return False
+
+
+def _looked_at(folder):
+    """How many entries a folder has, those that are folders, and the bytes of all."""
+    if not os.access(folder, os.R_OK | os.X_OK):  # its owner took the right to look away
+        os.chmod(folder, OPEN)
+    entries = list(os.scandir(folder))
+    folders, size = [], 0
+    for entry in entries:
+        with contextlib.suppress(FileNotFoundError):  # it is gone again, and the others are not
+            size += entry.stat(follow_symlinks=False).st_blocks * 512
+        if entry.is_dir(follow_symlinks=False):
+            folders.append(entry.path)
+    return len(entries), folders, size
 
 
 def empty(folder):
