@@ -517,6 +517,15 @@ def test_limits_below_those_that_a_sheet_was_handed_out_with_are_named(class_of_
         assert ("was handed out with" in ran.err) == said
 
 
+@pytest.mark.parametrize("name", ["numpy.no_such", "json", "\x1b[2Knot there"])
+def test_what_is_there_and_what_is_no_name_is_not_called_absent(class_of_three, kinegrade, name):
+    put_notebook(class_of_three)
+    path = class_of_three.folder / "submitted" / "ada" / "one.ipynb"
+    path.write_bytes(notebook(f"raise ModuleNotFoundError(name={name!r})\nlever_p = 1"))
+    ran = kinegrade("grade", "--course", class_of_three.folder)
+    assert "notebooks need" not in ran.err
+
+
 def test_the_limits_of_a_sheet_travel_with_it_to_the_check(class_of_three):
     from kinegrade.course.sheet.handout import read_handout
 

@@ -56,6 +56,23 @@ def test_a_forged_value_blanks_that_variable(value):
 
 
 @pytest.mark.parametrize(
+    ("said", "name"),
+    [
+        ("seaborn", "seaborn"),
+        ("ruamel.yaml", "ruamel.yaml"),
+        ("\x1b[1A\x1b[2K\x1b[32mAll right\x1b[0m", ""),
+        ("seaborn\n", ""),
+        ("pip install this", ""),
+        ("sеaborn", ""),  # one letter of it is Cyrillic
+        ("x" * 81, ""),
+    ],
+)
+def test_only_a_name_of_a_package_is_one_that_is_absent(said, name):
+    raw = read_frame(frame({"k": "error", "v": "why", "absent": said}), ["x"])["x"]
+    assert (raw.kind, raw.value, raw.absent) == ("error", "why", name)
+
+
+@pytest.mark.parametrize(
     "data", [b"", b"null", b"[1]", b"[" * 100_000, b"\xff", b'{"done": true}', b'{"values": 3}']
 )
 def test_a_frame_that_is_none_gives_no_value(data):

@@ -15,6 +15,7 @@ from ...grader.collecting.ask import Ask, Limits
 from ...grader.collecting.wire import Raw
 from ...grader.jail.jail import Jail
 from ...grader.jail.level import Level, Permission
+from ...grader.jail.packages import is_importable
 from ...grader.marking.guesses import counted
 from ...grader.marking.mark import mark
 from ...grader.marking.price import Bill, Price
@@ -138,8 +139,7 @@ def do(work: Work, jail_of: Callable[[Walls], Jail]) -> Done:
     except Exception as error:
         log.exception("%s, sheet %s: the submission could not be marked", work.student, work.sheet)
         return Done(failure=failed(error))
-    absent = {raw.absent for raw in raws.values() if raw.absent}
-    return Done(tuple(verdicts), "", came, tuple(sorted(absent)))
+    return Done(tuple(verdicts), "", came, _absent(raws, work.walls.packages))
 
 
 def _collected(work: Work, exercises: Iterable[Exercise], jail_of: Callable[[Walls], Jail]) -> Came:
@@ -153,6 +153,12 @@ def _collected(work: Work, exercises: Iterable[Exercise], jail_of: Callable[[Wal
     for exercise, numbers in zip(exercises, work.numbers, strict=True):
         asks += submission.asks(exercise, numbers)
     return Came(to_text(submission.raws(asks, work.limits, jail, work.beside)), level)
+
+
+def _absent(raws: Mapping[str, Raw], allowed: tuple[str, ...]) -> tuple[str, ...]:
+    """Packages that a notebook says it misses, without those that are there."""
+    said = {raw.absent for raw in raws.values() if raw.absent}
+    return tuple(sorted(name for name in said if not is_importable(name, allowed)))
 
 
 def _verdicts(work: Work, exercises: Iterable[Exercise], raws: Mapping[str, Raw]) -> list[Verdict]:

@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import islice
@@ -17,7 +18,7 @@ from .machine_paths import without_paths
 Kind = Literal["num", "text", "calls", "missing", "error", "unasked", "interrupted"]
 MAX_ELEMENTS = 4096
 MAX_ROWS = 64  # of text, and cells in each
-MAX_NAME = 80  # of a package
+PACKAGE = re.compile(r"[A-Za-z_][A-Za-z0-9_.]{0,79}")  # by the name to import it by
 MAX_SAID = 400  # of a sentence on how a cell or a call ended
 MAX_TEXT = 20_000  # of one text: a formula, a matrix typed as a whole, an argument in words
 Said = Annotated[str, Field(max_length=MAX_SAID)]
@@ -86,7 +87,7 @@ class _Typed(_Noted):
 class _Nothing(_Checked):
     k: Literal["missing", "error"]
     v: Said
-    absent: Annotated[str, Field(max_length=MAX_NAME)] = ""
+    absent: Said = ""
 
 
 _Single = Annotated[_Numeric | _Typed | _Nothing, Field(discriminator="k")]
@@ -194,7 +195,8 @@ def _single(value: _Numeric | _Typed | _Nothing) -> Raw:
         return Raw("num", _array(value.v), without_paths(value.note))
     if isinstance(value, _Typed):
         return Raw("text", value.v, without_paths(value.note))
-    return Raw(value.k, without_paths(value.v), absent=value.absent)
+    absent = value.absent if PACKAGE.fullmatch(value.absent) else ""
+    return Raw(value.k, without_paths(value.v), absent=absent)
 
 
 def _array(parts: _Array) -> NDArray[Any]:

@@ -27,6 +27,14 @@ def importable(also: tuple[str, ...] = ()) -> dict[str, Path]:
     return found
 
 
+def is_importable(name: str, also: tuple[str, ...] = ()) -> bool:
+    """Whether a notebook can import a module of this name, be it of the standard library."""
+    top = name.partition(".")[0]
+    if top in sys.stdlib_module_names:
+        return find_spec(top) is not None
+    return top in {file.partition(".")[0] for file in importable(also)}
+
+
 def not_installed(names: Iterable[str]) -> list[str]:
     """Those of some packages that are not here."""
     return [name for name in names if not _is_installed(name)]
