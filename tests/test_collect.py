@@ -11,6 +11,7 @@ from kinegrade.grader.collecting import ask, wire
 from kinegrade.grader.collecting.ask import Ask, AskError, Limits
 from kinegrade.grader.collecting.collect import CRASHED, cannot_run, collect
 from kinegrade.grader.inside import limits as inside
+from kinegrade.grader.inside.marked_run import TOO_LARGE
 from kinegrade.grader.jail.jail import best_level
 from kinegrade.grader.jail.level import ANY, JailError
 
@@ -159,6 +160,19 @@ def test_what_is_no_matrix_says_what_it_is(code, kind, words):
     raw = run(code)["x"]
     assert raw.kind == kind
     assert words in str(raw.value)
+
+
+@pytest.mark.parametrize(
+    ("data", "memory_mb"),
+    [
+        (b'{"cells": [], "x": [' + b"{}," * 8_000_000 + b"{}]}", 512),
+        ('{"cells": [], "x": "😀'.encode() + b"y" * (64 << 20) + b'"}', 384),
+    ],
+)
+def test_a_file_that_takes_too_much_memory_to_be_read_says_so(data, memory_mb):
+    limits = Limits(cell_seconds=20, notebook_seconds=60, memory_mb=memory_mb)
+    found = collect(data, [Ask("x")], limits)["x"]
+    assert (found.kind, found.value) == ("error", TOO_LARGE)
 
 
 @pytest.mark.parametrize(

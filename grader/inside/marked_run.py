@@ -9,6 +9,8 @@ from .running import Session
 from .script_file import read_script
 from .values import PENDING
 
+TOO_LARGE = "the file is too large: reading it took more memory than there is for a notebook"
+
 
 def run(request, notebook, write):
     """Runs all cells, with a frame before the first and after each."""
@@ -16,9 +18,9 @@ def run(request, notebook, write):
     seconds = request["cell_seconds"]
     try:
         read = read_script(notebook) if request["script"] else read_notebook(notebook)
-    except NotANotebookError as error:
-        values = {name: failed(str(error)) for name in names}
-        write({"done": True, "values": values})
+    except (NotANotebookError, MemoryError) as error:
+        why = TOO_LARGE if isinstance(error, MemoryError) else str(error)
+        write({"done": True, "values": {name: failed(why) for name in names}})
         return
 
     session = Session(with_ipython="IPython" in "".join(read.code))
