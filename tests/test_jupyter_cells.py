@@ -190,8 +190,12 @@ R = {"kernelspec": {"name": "ir", "display_name": "R", "language": "R"}}
         (with_prose("raw", "text\n  x = 2"), "a Raw cell assigns x"),
         (with_prose("markdown", "if x == 2 then"), ""),
         (with_prose("markdown", "the value of y = 2"), ""),
+        (with_prose("markdown", "x = [1, 2]", code=("x = ...",)), "a Markdown cell assigns x"),
+        (with_prose("raw", "x = 2", code=("x = ...", "y = 1")), "a Raw cell assigns x"),
         (with_prose("markdown", "# Title", code=()), "the notebook has no code cells"),
         (notebook("y <- 2", **R), "the notebook has a kernel for r; a sheet takes Python"),
+        (notebook("x = ...", **R), "the notebook has a kernel for r; a sheet takes Python"),
+        (notebook("x = ..."), ""),
         (notebook("y = 2", language_info={"name": "ipython"}), ""),
     ],
 )

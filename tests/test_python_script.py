@@ -15,6 +15,8 @@ from kinegrade.course.sheet.python_script import script
 from kinegrade.course.sheet.submissions import Submission
 from kinegrade.exercises.exercise import Manual, references
 from kinegrade.grader.collecting.ask import Limits
+from kinegrade.grader.inside.notebook_file import read_notebook
+from kinegrade.grader.inside.script_file import read_script
 from kinegrade.grader.marking.mark import mark
 
 ADA = Student("ada", "Ada Lovelace")
@@ -40,6 +42,9 @@ def test_a_script_is_python_with_all_blanks_and_says_what_the_notebook_says(slug
     notebook = handout_notebook("Course", sheet_of(slug), ADA, about)
     assert handout_in(text.encode(), PATH) == handout_in(notebook, Path("one.ipynb"))
     assert text == text_of(slug)
+    for part in EXERCISES[slug].asked:  # a blank sheet is not one with answers in the wrong place
+        assert read_script(text.encode()).hint(part.variable) == ""
+        assert read_notebook(notebook).hint(part.variable) == ""
 
 
 @pytest.mark.parametrize("slug", ["rrt", "implement_it", "frames"])

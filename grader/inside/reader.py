@@ -25,8 +25,11 @@ class Reader:
         return {name: noted(self.read(name), failures.get(name)) for name in self.names}
 
     def read(self, name):
-        """One variable as data; where there is none, with what the file says about that."""
-        if name not in self.functions.scope:
+        """One variable as data; where there is none, with what the file says about that.
+
+        The sheet's own blank cell sets it to `...`, which is none.
+        """
+        if self.functions.scope.get(name, ...) is ...:
             return {"k": "missing", "v": self.hint(name)}
         return self.read_value(name)
 
