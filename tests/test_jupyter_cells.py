@@ -159,6 +159,7 @@ def test_a_package_that_is_absent_does_not_cost_what_does_not_need_it(run, cells
         ("from no_such import pi", "x = 2 * pi"),
         ("from no_such import x",),
         ("def f():\n    import no_such", "x = f()"),
+        ("import no_such as ns\nns.set()\nn = 3", "x = n + 1"),
     ],
 )
 def test_a_package_that_is_absent_is_named_where_it_is_used(run, cells):

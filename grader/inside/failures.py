@@ -14,20 +14,22 @@ class Failures:
     def __init__(self, names, seconds):
         self.names = names
         self.seconds = seconds
-        self.first = ""
+        self.first, self.package = "", ""  # of the cell that stopped before all others
         self.by_name = {}  # (sentence, absent package) of each
 
     def add(self, where, source, error):
         """Keeps the error of a cell; where a name is missing, the first error may be the reason."""
-        said = failure(where, error, self.seconds)
+        said, package = failure(where, error, self.seconds), package_of(error)
         if isinstance(error, NameError) and self.first:
             said += f"; before that, {self.first}"
-        self.first = self.first or said
+            package = self.package
+        if not self.first:
+            self.first, self.package = said, package
 
         touched = assigned_names(source)
         for name in self.names:
             if name in touched:
-                self.by_name[name] = (said[:MAX_SAID], package_of(error))
+                self.by_name[name] = (said[:MAX_SAID], package)
 
     def forget(self, source):
         """Drops the errors of what a cell has now set."""
