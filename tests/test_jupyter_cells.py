@@ -39,6 +39,9 @@ RUNS = [
     ("y = %pwd\nx = len(y) > 0 and 2", 2),
     ("files = !ls\nx = len(files)", 0),
     ("%%capture said\nprint(1)\nx = 2", 2),
+    ("%clear\n%hist\n%mkdir figures\nx = 2", 2),
+    ("y = 1\nnames = %who_ls\nx = names.count('y') * 2", 2),
+    ("get_ipython().run_cell_magic('HTML', '', '<b>')\nx = 2", 2),
     ("%%writefile two.py\nx = 2\n%run two.py", None),
     ("%time x = 2", 2),
     ("%timeit -n 10 -r 3 sum([1])\nx = 2", 2),
@@ -84,6 +87,8 @@ def test_a_zygote_that_has_not_loaded_ipython_runs_the_same(source):
         (("%%writefile two.py\ny = 7", "import two\nx = two.y"), 7),
         (("pip install scipy", "x = 2"), 2),
         (("whos = 3", "x = whos"), 3),
+        (("%%capture --no-stderr said\ny = 1", "said()\nx = 2"), 2),
+        (("%%capture said --no-stderr\ny = 1", "said()\nx = 2"), 2),
         (("f = 1", "x = 2\nf?"), 2),
         (
             (
@@ -122,6 +127,7 @@ def test_numpy_draws_other_numbers_in_every_notebook():
             "ImportError",
         ),
         ("x = [1, 2", "cell 1 is not Python"),
+        ("whos = x = [1, 2", "cell 1 is not Python"),
         ("import numpy.no_such_part\nx = 2", "No module named 'numpy.no_such_part'"),
     ],
 )

@@ -98,7 +98,8 @@ class Session:
             self._introduce()
         read = self.transform(source)
         name, _, line = source.strip().partition(" ")
-        if "\n" not in source.strip() and name in AUTOMAGIC:  # such as: pip install scipy
+        is_set = line.lstrip().startswith("=")
+        if "\n" not in source.strip() and name in AUTOMAGIC and not is_set:  # pip install scipy
             return f"get_ipython().run_line_magic({name!r}, {line!r})\n"
         return read
 

@@ -3,18 +3,20 @@
 import os
 
 HARMLESS = {
-    "alias", "autoawait", "autocall", "automagic", "autoreload", "bookmark", "check", "colors",
-    "conda", "config", "debug", "dhist", "dirs", "doctest_mode", "edit", "gui", "history", "ldir",
-    "less", "load_ext", "ls", "lsmagic", "ll", "logon", "logoff", "logstart", "logstop", "macro",
-    "magic",
-    "man", "matplotlib", "more", "notebook", "page", "pastebin", "pdb", "pdef", "pdoc", "pfile",
-    "pinfo", "pinfo2", "pip", "popd", "pprint", "precision", "psearch", "psource", "pushd", "pycat",
-    "pylab", "quickref", "recall", "rehashx", "reload_ext", "reset", "reset_selective", "save",
-    "store", "sx", "system", "tb", "unalias", "unload_ext", "uv", "who", "whos", "xdel", "xmode",
+    "alias", "alias_magic", "autoawait", "autocall", "automagic", "autoreload", "bookmark", "cat",
+    "check", "clear", "cls", "code_wrap", "colors", "conda", "config", "connect_info", "cp",
+    "debug", "dhist", "dirs", "doctest_mode", "ed", "edit", "gui", "hist", "history",
+    "killbgscripts", "ldir", "less", "lf", "lk", "ll", "load", "load_ext", "loadpy", "logoff",
+    "logon", "logstart", "logstate", "logstop", "ls", "lsmagic", "lx", "macro", "magic", "mamba",
+    "man", "matplotlib", "micromamba", "mkdir", "more", "mv", "notebook", "page", "pastebin", "pdb",
+    "pdef", "pdoc", "pfile", "pinfo", "pinfo2", "pip", "popd", "pprint", "precision", "psearch",
+    "psource", "pushd", "pycat", "pylab", "qtconsole", "quickref", "recall", "rehashx",
+    "reload_ext", "rep", "reset", "reset_selective", "rm", "rmdir", "save", "store", "sx", "system",
+    "tb", "unalias", "unload_ext", "uv", "who", "whos", "xdel", "xmode",
 }  # fmt: skip
 SHOWN_CELLS = {
-    "html", "javascript", "js", "latex", "markdown", "svg", "bash", "sh", "script", "system", "sx",
-    "!",
+    "HTML", "SVG", "html", "javascript", "js", "latex", "markdown", "svg", "bash", "sh", "script",
+    "system", "sx", "!",
 }  # fmt: skip
 TIMED = {"time", "timeit", "prun", "capture", "memit", "lprun"}
 ENVIRONMENT = {"env", "set_env"}
@@ -57,8 +59,9 @@ class Shell:
             return _environment(line)
         if name in TIMED:
             return self.run(_without_options(line))
-        if name == "pwd":
-            return os.getcwd()
+        asked = {"pwd": os.getcwd, "who_ls": self._names}
+        if name in asked:
+            return asked[name]()
         if name == "cd":
             return os.chdir(line.strip() or os.environ["HOME"])
         if name == "run":
@@ -74,8 +77,8 @@ class Shell:
         if name in ("writefile", "file"):
             return _written(line, cell)
         if name in TIMED:
-            if name == "capture" and line.strip().isidentifier():
-                self.user_ns[line.strip()] = Captured()
+            if name == "capture":
+                self._capture(line)
             return self.run(cell)
         raise NameError(f"the magic %%{name} is not run when a sheet is marked")
 
@@ -90,6 +93,15 @@ class Shell:
         """There is none."""
 
     enable_matplotlib = enable_gui
+
+    def _names(self):
+        return sorted(name for name in self.user_ns if not name.startswith("_"))
+
+    def _capture(self, line):
+        """Sets the name that a %%capture gives, among its options."""
+        for word in line.split():
+            if word.isidentifier():
+                self.user_ns[word] = Captured()
 
     def _run_file(self, line):
         words = [word for word in line.split() if not word.startswith("-")]
