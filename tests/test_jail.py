@@ -215,6 +215,18 @@ def test_what_a_package_requires_comes_with_it_and_never_our_own():
     assert not {"kinegrade", "solutions", "sqlalchemy"} & found
 
 
+def test_a_database_in_a_file_can_be_written_and_read(walled):
+    code = """
+import sqlite3
+with sqlite3.connect("a.db") as base:
+    base.execute("create table q (value)")
+    base.execute("insert into q values (3)")
+base.close()
+(x,) = sqlite3.connect("a.db").execute("select value from q").fetchone()
+"""
+    assert run(walled, code).value == 3
+
+
 def test_memory_has_an_end(walled):
     code = "x = 'done'\ntry:\n    y = np.ones(10**9)\nexcept MemoryError:\n    x = 'MemoryError'"
     assert run(walled, code).value == "MemoryError"

@@ -14,7 +14,7 @@ ALLOWED = """
     clock_gettime clock_getres clock_nanosleep nanosleep gettimeofday time times getrusage
     sched_yield sched_getaffinity sched_getparam sched_getscheduler getcpu getrandom
     creat access faccessat faccessat2 readlink readlinkat getcwd chdir fchdir getdents64
-    flock dup dup2 dup3 pipe pipe2 poll ppoll select pselect6
+    dup dup2 dup3 pipe pipe2 poll ppoll select pselect6
     epoll_create epoll_create1 epoll_ctl epoll_wait epoll_pwait epoll_pwait2 eventfd2
     recvfrom shutdown getsockname getsockopt
     uname sysinfo getrlimit exit exit_group set_robust_list get_robust_list set_tid_address rseq
@@ -32,8 +32,13 @@ FATAL = """
 """Nobody calls these by accident: the process is stopped."""
 NEW_THREAD = (0x3D0F00, 0x7D0F00)
 """The flags of pthread_create of two C libraries, and of nothing that makes a process."""
-OF_DESCRIPTORS = (*range(8), 36, 37, 38, 1030, 1032)
-"""What fcntl may do: copies, flags, locks; not have the kernel send a signal to somebody else."""
+OF_DESCRIPTORS = (*range(5), 6, 7, 37, 38, 1030, 1032)
+"""What fcntl may do: copies, flags, locks; not have the kernel send a signal to somebody else.
+
+Nor ask who holds a lock: one on a file that all read would be seen by another notebook.
+"""
+NOT_THERE = ("clone3", "flock")
+"""As in a kernel without them: the C library falls back to clone, HDF5 does without locks."""
 TRUNCATE, FOR_WRITING = 0x200, 3
 """To open a file for reading and empty it on the way is nothing that older Landlocks forbid."""
 QUESTIONS = (0x5401, 0x541B, 0x5421, 0x5451)  # a terminal? how much? do not wait; close on exec
@@ -75,7 +80,8 @@ def filter_code() -> bytes:
         for access in (1, 2):
             wanted = (place, TRUNCATE | access)
             _add(seccomp, made, seccomp.ALLOW, name, wanted, mask=TRUNCATE | FOR_WRITING)
-    _add(seccomp, made, seccomp.ERRNO(errno.ENOSYS), "clone3")  # libc falls back to clone
+    for name in NOT_THERE:
+        _add(seccomp, made, seccomp.ERRNO(errno.ENOSYS), name)
     return _exported(made)
 
 
