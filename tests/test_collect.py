@@ -291,7 +291,22 @@ def test_a_notebook_without_code_is_unanswered(data):
 
 
 @pytest.mark.parametrize(
-    ("data", "words"), [(b"", "it is empty"), (b"<!doctype html>", "it is a web page")]
+    ("data", "words"),
+    [
+        (b"", "it is empty"),
+        (b"<!doctype html>", "it is a web page"),
+        (
+            b"import numpy as np\nx = np.eye(3)\n",
+            "it is Python code; hand it in with the ending .py",
+        ),
+        (b"# my answers\n\nx = 3\n", "it is Python code"),
+        (b"dear teacher", "Expecting value"),
+        (b"hello", "Expecting value"),
+        (notebook("x = 1")[:25], "it breaks off before its end; save the notebook and"),
+        (notebook("x = 1")[:-4], "it breaks off"),
+        (notebook("x = 'a long text'")[:70], "it breaks off"),
+        (b'{"cells": [}', "Expecting value"),
+    ],
 )
 def test_a_file_that_is_no_notebook_says_what_it_is(data, words):
     assert words in collect(data, [Ask("x")], LIMITS)["x"].value

@@ -177,6 +177,9 @@ OTHERS = {
     "compressed with bzip2": bz2.compress(b"{}"),
     "compressed with xz": lzma.compress(b"{}"),
     "a PDF": b"%PDF-1.7\n",
+    "a picture": b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR",
+    "a picture, ": b"\xff\xd8\xff\xe0\0\x10JFIF",
+    "nothing but zero bytes": bytes(1 << 16),
     "UTF-16 text": '{"lever_p": [1, 2]}'.encode("utf-16"),
     "UTF-16 text, ": '{"lever_p": [1, 2]}'.encode("utf-16-le"),
     "UTF-16 text, w": '{"lever_p": [1, 2]}'.encode("utf-16-be"),
@@ -193,7 +196,7 @@ def test_a_file_that_is_something_else_than_its_ending_says_is_named(suffix, nam
 
 
 @pytest.mark.parametrize(
-    "data", [b"", b"{}", b"{\n}", b"[1]", '{"é": 1}'.encode(), b"\0\0\0\0", b"PK"]
+    "data", [b"", b"{}", b"{\n}", b"[1]", '{"é": 1}'.encode(), b"\0\0\0\0\2\0\0\0", b"PK"]
 )
 def test_a_file_that_may_be_what_its_ending_says_is_not_named_otherwise(data):
     assert other_format(data) is None

@@ -21,6 +21,8 @@ class OtherFormat:
 
 UNPACKED = "hand in the file that is inside of it"
 UTF_16 = OtherFormat("UTF-16 text", "save it as UTF-8")
+ZEROS = OtherFormat("nothing but zero bytes", "save it and hand it in again")
+PICTURE = OtherFormat("a picture", "hand in the file itself")
 STARTS = {
     b"PK\x03\x04": OtherFormat(
         "a zip archive (an Excel workbook is one, too)", f"{UNPACKED}, or save a workbook as CSV"
@@ -33,6 +35,9 @@ STARTS = {
     b"Rar!": OtherFormat("a rar archive", UNPACKED),
     b"%PDF-": OtherFormat("a PDF", "save the data themselves"),
     b"\xd0\xcf\x11\xe0": OtherFormat("an old Office document", "save it as CSV"),
+    b"\x89PNG": PICTURE,
+    b"\xff\xd8\xff": PICTURE,
+    b"GIF8": PICTURE,
 }
 
 
@@ -43,6 +48,8 @@ def other_format(data: bytes) -> OtherFormat | None:
             return found
     if data.startswith(BOM_16) or _has_two_bytes_a_letter(data):
         return UTF_16
+    if data and not data.strip(b"\0"):
+        return ZEROS
     return None
 
 

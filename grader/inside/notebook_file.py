@@ -1,5 +1,6 @@
 """A notebook's file as cells, and what there is to say of one that holds no answers."""
 
+import ast
 import codecs
 import json
 import re
@@ -8,6 +9,8 @@ from .limits import MAX_CODE
 
 PYTHON = ("python", "")  # languages of kernels; older notebooks name none
 ASSIGNED = re.compile(r"^\s*(\w+)\s*=(?!=)", re.MULTILINE)
+
+SCRIPT = (ast.Import, ast.ImportFrom, ast.Assign, ast.FunctionDef)  # statements of a .py file
 
 
 class NotANotebookError(ValueError):
@@ -116,4 +119,24 @@ def _not_json(text, error):
         return "it is empty"
     if start == "<":
         return "it is a web page"
+    if start == "{" and _breaks_off(text, error):
+        return "it breaks off before its end; save the notebook and hand it in again"
+    if _is_python(text):
+        return "it is Python code; hand it in with the ending .py, or save it as a notebook"
     return str(error)[:100]
+
+
+def _breaks_off(text, error):
+    """Whether nothing is wrong with a JSON text but that it has no end."""
+    if not isinstance(error, json.JSONDecodeError):
+        return False
+    return error.msg.startswith("Unterminated string") or error.pos >= len(text.rstrip())
+
+
+def _is_python(text):
+    """Whether a text is a script, and not just words that could be one."""
+    try:
+        body = ast.parse(text[:MAX_CODE]).body
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return False
+    return any(isinstance(statement, SCRIPT) for statement in body)
