@@ -1,10 +1,12 @@
 """What stands between a notebook and the machine, at each level, and what a lost notebook is."""
 
+import contextlib
 import json
 import os
 import shutil
 import signal
 import socket
+import stat
 import subprocess
 import sys
 import threading
@@ -16,6 +18,7 @@ from courses import notebook
 from jails import LIMITS, WALLED, run_at, skip_without
 from kinegrade.grader.collecting.ask import Ask, Limits
 from kinegrade.grader.collecting.collect import collect
+from kinegrade.grader.inside import scratch
 from kinegrade.grader.jail import jail as jail_module
 from kinegrade.grader.jail.jail import FOR_ONE, Jail, best_level, missing
 from kinegrade.grader.jail.level import ANY, WALLS, JailError, Level, Permission
@@ -338,9 +341,9 @@ def test_modules_and_names_of_one_student_are_not_the_next_ones(walled):
 def processes_of(group):
     """Processes in a session, by their ids."""
     found = []
-    for stat in Path("/proc").glob("[0-9]*/stat"):
+    for file in Path("/proc").glob("[0-9]*/stat"):
         try:
-            fields = stat.read_text().rpartition(")")[2].split()
+            fields = file.read_text().rpartition(")")[2].split()
         except OSError:
             continue
         if int(fields[3]) == group or int(fields[1]) == group:
@@ -549,3 +552,23 @@ def test_the_limits_of_a_sheet_travel_with_it_to_the_check(class_of_three):
     assert read_handout(path).limits.cell_seconds == 55
     first = "".join(content["cells"][0]["source"])
     assert "a cell may compute for 30 s, and all cells together may take 180 s" in first
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="notebooks run on Linux")
+def test_who_looks_into_a_hidden_folder_opens_none_elsewhere(tmp_path, monkeypatch):
+    monkeypatch.setattr(os, "access", lambda *_: False)  # as it is for who is not root
+    elsewhere, folder = tmp_path / "elsewhere", tmp_path / "scratch"
+    (elsewhere / "inner").mkdir(parents=True)
+    (folder / "hidden").mkdir(parents=True)
+    modes = {elsewhere: 0o750, elsewhere / "inner": 0o755, folder / "hidden": 0o300}
+    for path, mode in modes.items():
+        path.chmod(mode)
+    assert not scratch.is_too_full(str(folder))
+    assert stat.S_IMODE((folder / "hidden").stat().st_mode) == 0o700
+
+    (folder / "link").symlink_to(elsewhere)
+    for swapped in ("link", "link/inner"):
+        with contextlib.suppress(NotADirectoryError):
+            scratch._looked_at(str(folder / swapped), str(folder))
+    for path in (elsewhere, elsewhere / "inner"):
+        assert stat.S_IMODE(path.stat().st_mode) == modes[path]

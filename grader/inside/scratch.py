@@ -25,7 +25,7 @@ def is_too_full(folder):
     waiting = [folder]
     while waiting:
         try:
-            entries, folders, size = _looked_at(waiting.pop())
+            entries, folders, size = _looked_at(waiting.pop(), os.path.realpath(folder))
         except (FileNotFoundError, NotADirectoryError):
             continue  # it is gone again
         except OSError:  # a path of more than 4096 characters
@@ -38,10 +38,10 @@ def is_too_full(folder):
     return False
 
 
-def _looked_at(folder):
+def _looked_at(folder, within):
     """How many entries a folder has, those that are folders, and the bytes of all."""
     if not os.access(folder, os.R_OK | os.X_OK):  # its owner took the right to look away
-        os.chmod(folder, OPEN)
+        _open_up(folder, within)
     entries = list(os.scandir(folder))
     folders, size = [], 0
     for entry in entries:
@@ -50,6 +50,17 @@ def _looked_at(folder):
         if entry.is_dir(follow_symlinks=False):
             folders.append(entry.path)
     return len(entries), folders, size
+
+
+def _open_up(folder, within):
+    """Takes the right to look into a folder, while the notebook may put a link in its place."""
+    handle = os.open(folder, os.O_PATH | os.O_NOFOLLOW | os.O_DIRECTORY)
+    try:
+        opened = f"/proc/self/fd/{handle}"
+        if os.readlink(opened).startswith(f"{within}/"):
+            os.chmod(opened, OPEN)
+    finally:
+        os.close(handle)
 
 
 def empty(folder):
