@@ -347,7 +347,7 @@ def processes_of(group):
         except OSError:
             continue
         if int(fields[3]) == group or int(fields[1]) == group:
-            found.append(stat.parent.name)
+            found.append(file.parent.name)
     return found
 
 
