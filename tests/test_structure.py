@@ -64,7 +64,7 @@ ROOMS = {
     "course/errors": ENGINE,
     "course/language": ENGINE | {"course/errors", "exercises", "exercises/files"},
     "course/text": SPOKEN,
-    "course/machine": ENGINE | {"exercises/files", "grader/jail"},
+    "course/machine": ENGINE | {"course/text", "exercises/files", "grader/jail"},
     "course/settings": SPOKEN
     | {"course/text", "exercises", "exercises/files", "grader/collecting"},
     "course/variants": GROUND | {"exercises", "exercises/files", "grader/telling"},
