@@ -156,7 +156,7 @@ class _Draws:
         self._taken: defaultdict[str, set[str]] = defaultdict(set)  # numbers as `canonical` text
         for record in self.gradebook.records(self._sheet.name):
             self._add(record)
-        self.damaged = self.gradebook.damaged(self._sheet.name)
+        self.damaged = self.gradebook.damaged(self._sheet.name, "record")
 
     def _add(self, record: Record) -> None:
         self._records[record.student][record.exercise] = record

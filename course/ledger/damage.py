@@ -1,9 +1,11 @@
 """Rows that cannot be read: each costs one student's sheet, and is named."""
 
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Collection, Mapping
 from math import isfinite
 from typing import Any
+
+from sqlalchemy import RowMapping, Table
 
 
 class DamagedError(Exception):
@@ -11,25 +13,67 @@ class DamagedError(Exception):
 
 
 class Damages:
-    """What could not be read so far, by sheet and student."""
+    """What could not be read so far, by kind of row, sheet and student."""
 
     def __init__(self) -> None:
         """Nothing is damaged until it is read."""
-        self._found: dict[tuple[str, str], str] = {}
+        self._found: dict[tuple[str, str, str], str] = {}
 
-    def add(self, sheet: str, student: str, what: str, mended: str) -> None:
-        """Notes what of a student's sheet is damaged, and how it is mended; the first is told."""
+    def add(self, kind: str, sheet: str, student: Any, what: str, mended: str) -> None:
+        """Notes what of a student's sheet is damaged, and how it is mended; the first is told.
+
+        A row whose student cannot be read is nobody's: it is passed over.
+        """
+        if not isinstance(student, str):
+            return
         damage = "a row of the gradebook is damaged"
         sentence = f"{what} of {student} cannot be read: {damage}; {mended}"
-        self._found.setdefault((sheet, student), sentence)
+        self._found.setdefault((kind, sheet, student), sentence)
 
-    def of(self, sheet: str) -> dict[str, str]:
-        """Student to a sentence."""
+    def forget(self, kind: str, sheet: str) -> None:
+        """Rows of that kind are going to be read anew."""
+        for place in [*self._found]:
+            if place[:2] == (kind, sheet):
+                del self._found[place]
+
+    def of(self, sheet: str, kinds: Collection[str]) -> dict[str, str]:
+        """Student to a sentence, on rows of some kinds; of any where none is named."""
         found: dict[str, str] = {}
-        for (of_sheet, student), sentence in self._found.items():
-            if of_sheet == sheet:
-                found[student] = sentence
+        for (kind, of_sheet, student), sentence in self._found.items():
+            if of_sheet == sheet and (not kinds or kind in kinds):
+                found.setdefault(student, sentence)
         return found
+
+
+def check_row(row: RowMapping | Mapping[str, Any], table: Table) -> None:
+    """Every cell is what its column takes; SQLite keeps anything in any column.
+
+    Raises:
+        DamagedError: one is not.
+    """
+    for column in table.c:
+        cell = row[column.name]
+        if cell is None and column.nullable:
+            continue
+        kind = column.type.python_type
+        if kind is float:
+            as_number(cell)
+        if not isinstance(cell, (float, int) if kind is float else kind):
+            raise DamagedError
+
+
+def is_whole(row: RowMapping | Mapping[str, Any], table: Table) -> bool:
+    """Whether every cell is what its column takes."""
+    try:
+        check_row(row, table)
+    except DamagedError:
+        return False
+    return True
+
+
+def text_of(cell: Any, instead: str) -> str:
+    """The text of a cell that is only shown, or what stands in its place."""
+    return cell if isinstance(cell, str) else instead
 
 
 def loaded(text: Any, kind: type | None = None) -> Any:

@@ -1,7 +1,7 @@
 """The gradebook: all that was drawn, handed in and marked; a change adds rows and replaces none."""
 
 import json
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Self
 
@@ -12,7 +12,7 @@ from ..settings.config import Course, CourseError
 from ..variants.record import Record, canonical, digest
 from . import grades, marks
 from .address import address, without_password
-from .damage import DamagedError, Damages, loaded
+from .damage import DamagedError, Damages, check_row, loaded, text_of
 from .database import Database
 from .entries import Change, enter
 from .grades import Attempt, GradeKey
@@ -25,6 +25,10 @@ from .term import TermLedger
 
 __all__ = ["Event", "GradeKey", "Gradebook", "Mark", "OvertakenError", "gradebook_of"]
 FILE = "gradebook.sqlite"
+UNREADABLE = "unreadable"
+DAMAGED_GRADE = ("the grade", "`kinegrade grade` marks anew")
+MARKED_ANEW = "marked anew"
+"""Damaged grades that somebody asked for in order to mark what has none."""
 
 
 class OvertakenError(CourseError):
@@ -74,7 +78,7 @@ class Gradebook:
     @property
     def term(self) -> TermLedger:
         """Deadlines of single students, what was accepted, requests and what was published."""
-        return TermLedger(self._database)
+        return TermLedger(self._database, self._damages)
 
     @property
     def database(self) -> Database:
@@ -91,9 +95,12 @@ class Gradebook:
     def __exit__(self, *_: object) -> None:
         self.close()
 
-    def damaged(self, sheet: str) -> dict[str, str]:
-        """Students of whom a row of this sheet was read that is damaged, and a sentence on it."""
-        return self._damages.of(sheet)
+    def damaged(self, sheet: str, *kinds: str) -> dict[str, str]:
+        """Students of whom a row of this sheet was read that is damaged, and a sentence on it.
+
+        With `kinds`, names of tables, rows of these alone.
+        """
+        return self._damages.of(sheet, kinds)
 
     def note_level(self, level: str) -> None:
         """Keeps at which level notebooks are run from now on, where it is another."""
@@ -107,16 +114,16 @@ class Gradebook:
         """At which level notebooks were run last; empty where none was."""
         query = select(levels.c.level).order_by(levels.c.entry.desc()).limit(1)
         with self._database.reading() as connection:
-            return connection.scalar(query) or ""
+            return text_of(connection.scalar(query) or "", UNREADABLE)
 
     def records(self, sheet: str) -> list[Record]:
         """Everything drawn for a sheet, with the answers that were accepted last."""
         with self._database.reading() as connection:
             drawn = _of_sheet(connection, sheet)
-            accepted: dict[tuple[str, str], str] = {}
+            accepted: dict[tuple[str, str], RowMapping] = {}
             query = select(reference).where(reference.c.sheet == sheet)
             for row in connection.execute(query.order_by(reference.c.entry)).mappings():
-                accepted[row["student"], row["exercise"]] = row["answers"]
+                accepted[row["student"], row["exercise"]] = row
 
         found: list[Record] = []
         for row in drawn:
@@ -124,7 +131,8 @@ class Gradebook:
             try:
                 found.append(_record(row, answers))
             except DamagedError:
-                self._damages.add(sheet, row["student"], row["exercise"], "put a backup back")
+                what = text_of(row["exercise"], "an exercise")
+                self._damages.add("record", sheet, row["student"], what, "put a backup back")
         return found
 
     def save_records(self, records: Sequence[Record], reason: str = "") -> None:
@@ -161,15 +169,22 @@ class Gradebook:
         with self._database.writing() as connection:
             grades.save(connection, graded, Change(reason=reason))
 
-    def graded(self, keys: Sequence[GradeKey]) -> dict[GradeKey, list[Verdict]]:
-        """What those submissions got that were marked by these rules, and can be read."""
+    def graded(
+        self, keys: Sequence[GradeKey], worth: Mapping[str, float] | None = None
+    ) -> dict[GradeKey, list[Verdict]]:
+        """What those submissions got that were marked by these rules, and can be read.
+
+        `worth` has the points of every part by these rules: a grade of others is damaged.
+        """
         found: dict[GradeKey, list[Verdict]] = {}
         with self._database.reading() as connection:
             numbers = grades.all_newest(connection, keys)
             verdicts = grades.verdicts_of_all(connection, [*numbers.values()])
         for key, number in numbers.items():
             these = verdicts[number]
-            if these is not None:
+            if these is None or (worth is not None and _worth(these) != worth):
+                self._damages.add(MARKED_ANEW, key.sheet, key.student, *DAMAGED_GRADE)
+            else:
                 found[key] = these
         return found
 
@@ -177,25 +192,39 @@ class Gradebook:
         """Earlier grades count again; where they already do, nothing is written."""
         with self._database.reading() as connection:
             numbers = grades.all_newest(connection, keys)
-            counting: set[int] = set()
+            counting: dict[tuple[str, str], int] = {}
             for sheet in {key.sheet for key in keys}:
-                counting |= {*grades.counting(connection, sheet).values()}
-        others = {key: number for key, number in numbers.items() if number not in counting}
+                for student, number in grades.counting(connection, sheet).items():
+                    counting[student, sheet] = number
+        others = {
+            key: number
+            for key, number in numbers.items()
+            if counting.get((key.student, key.sheet)) != number
+        }
         if not others:
             return
         with self._database.writing() as connection:
             grades.let_count(connection, others, Change())
 
-    def current(self, sheet: str) -> dict[str, list[Verdict]]:
-        """Student to verdicts: what counts now."""
+    def current(self, sheet: str, asked: Collection[str] = ()) -> dict[str, list[Verdict]]:
+        """Student to verdicts: what counts now.
+
+        Where a grade has one of the `asked` parts, a grade without it is damaged.
+        """
+        self._damages.forget("grade", sheet)  # what is damaged may be marked anew by now
         with self._database.reading() as connection:
             numbers = grades.counting(connection, sheet)
             verdicts = grades.verdicts_that_count(connection, sheet)
+        parts: set[str] = set()
+        for these in verdicts.values():
+            parts |= {*_worth(these or ())}
+        parts &= {*asked}  # before all are marked anew, those of an edited sheet differ
+
         found: dict[str, list[Verdict]] = {}
         for student, number in numbers.items():
-            these = verdicts.get(number, [])
-            if these is None:
-                self._damages.add(sheet, student, "the grade", "`kinegrade grade` marks anew")
+            these = verdicts.get(number)
+            if these is None or parts - {*_worth(these)}:
+                self._damages.add("grade", sheet, student, *DAMAGED_GRADE)
             else:
                 found[student] = these
         return found
@@ -203,7 +232,7 @@ class Gradebook:
     def attempts(self, sheet: str) -> dict[str, list[Attempt]]:
         """All marked submissions of a sheet by student, the first seen first."""
         with self._database.reading() as connection:
-            return grades.attempts(connection, sheet)
+            return grades.attempts(connection, sheet, self._damages)
 
     def marks(self, sheet: str) -> dict[tuple[str, str], Mark]:
         """Marks and comments entered by hand, by student and part."""
@@ -226,20 +255,28 @@ class Gradebook:
             return history(connection, student, sheet)
 
 
+def _worth(verdicts: Iterable[Verdict]) -> dict[str, float]:
+    return {verdict.part: verdict.out_of for verdict in verdicts}
+
+
 def _of_sheet(connection: Connection, sheet: str) -> Sequence[RowMapping]:
     query = select(record).where(record.c.sheet == sheet)
     query = query.order_by(record.c.entry, record.c.exercise)
     return connection.execute(query).mappings().all()
 
 
-def _record(row: RowMapping, answers: str | None) -> Record:
+def _record(row: RowMapping, accepted: RowMapping | None) -> Record:
+    check_row(row, record)
+    if accepted is None:
+        raise DamagedError
+    check_row(accepted, reference)
     return Record(
         row["student"],
         row["sheet"],
         row["exercise"],
         row["attempt"],
         loaded(row["numbers"], dict),
-        loaded(answers, dict),
+        loaded(accepted["answers"], dict),
     )
 
 

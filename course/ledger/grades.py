@@ -16,13 +16,14 @@ from sqlalchemy import (
 )
 
 from ...grader.marking.verdict import STATUS_WORDS, Finding, Verdict
-from .damage import DamagedError, as_number, loaded, plain
+from .damage import DamagedError, Damages, check_row, is_whole, loaded, plain
 from .entries import Change, enter_all
 from .tables import counted, finding, grade, submission, verdict
 
 T = TypeVar("T")
 Rows = list[dict[str, Any]]
 AT_ONCE = 200  # keys or grades that are asked for in one statement
+ROUNDED = 0.005  # points have two decimals, which may be more than a part has
 ORDER = {verdict: ["grade", "place"], finding: ["grade", "place", "number"]}
 
 
@@ -78,7 +79,7 @@ def verdicts_of_all(
     """The verdicts of grades, by number; None where they are damaged."""
     found: dict[int, list[Verdict] | None] = {}
     for some in _batches(numbers):
-        found |= {number: [] for number in some}
+        found |= dict.fromkeys(some)
         found |= _read(connection, [*some])
     return found
 
@@ -158,7 +159,7 @@ def verdicts_that_count(connection: Connection, sheet: str) -> dict[int, list[Ve
     return _read(connection, numbers)
 
 
-def attempts(connection: Connection, sheet: str) -> dict[str, list[Attempt]]:
+def attempts(connection: Connection, sheet: str, damages: Damages) -> dict[str, list[Attempt]]:
     """All marked submissions by student, the first seen first; none that is damaged."""
     newest_grades = select(func.max(grade.c.entry)).where(grade.c.sheet == sheet)
     newest_grades = newest_grades.group_by(grade.c.student, grade.c.submission)
@@ -171,14 +172,17 @@ def attempts(connection: Connection, sheet: str) -> dict[str, list[Attempt]]:
 
     order = select(submission.c.student, submission.c.hash).where(submission.c.sheet == sheet)
     seen = [tuple(row) for row in connection.execute(order.order_by(submission.c.entry))]
+    order_seen = dict.fromkeys([*seen, *submissions.values()])  # also those whose row is damaged
     found: dict[tuple[str, str], Attempt] = {}
     for number, these in verdicts.items():
         student, hash_ = submissions[number]
-        if these is not None:
+        if these is None:
+            damages.add("attempt", sheet, student, "an attempt", "put a backup back")
+        else:
             last = submissions.get(counted_now.get(student, 0))
             found[student, hash_] = Attempt(hash_, these, counts=last == (student, hash_))
     ordered: dict[str, list[Attempt]] = {}
-    for student, hash_ in seen:
+    for student, hash_ in order_seen:
         if (student, hash_) in found:
             ordered.setdefault(student, []).append(found[student, hash_])
     return ordered
@@ -193,14 +197,20 @@ def _read(
     connection: Connection, numbers: "Select[Any] | list[int]"
 ) -> dict[int, list[Verdict] | None]:
     found: dict[tuple[int, int], list[Finding]] = {}
+    damaged: set[int] = set()
     for row in _rows(connection, finding, numbers):
         place = (row["grade"], row["place"])
-        found.setdefault(place, []).append(Finding(row["text"], private=bool(row["private"])))
+        found.setdefault(place, []).append(Finding(row["text"], private=row["private"]))
+        if not is_whole(row, finding):
+            damaged.add(row["grade"])
 
     read: dict[int, list[Verdict] | None] = {}
     for row in _rows(connection, verdict, numbers):
         verdicts = read.setdefault(row["grade"], [])
         if verdicts is None:
+            continue
+        if row["grade"] in damaged or row["place"] != len(verdicts):  # one before it is lost
+            read[row["grade"]] = None
             continue
         try:
             verdicts.append(_verdict(row, found.get((row["grade"], row["place"]), [])))
@@ -218,13 +228,16 @@ def _rows(
 
 
 def _verdict(row: RowMapping, findings: Iterable[Finding]) -> Verdict:
-    out_of = as_number(row["out_of"])
-    if row["status"] not in STATUS_WORDS or out_of is None:
+    check_row(row, verdict)
+    points, out_of = row["points"], row["out_of"]
+    if row["status"] not in STATUS_WORDS or out_of < 0:
+        raise DamagedError
+    if points is not None and not 0 <= points <= out_of + ROUNDED:
         raise DamagedError
     return Verdict(
         part=row["part"],
         status=row["status"],
-        points=as_number(row["points"]),
+        points=points,
         out_of=out_of,
         findings=tuple(findings),
         reading=row["reading"],

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from sqlalchemy import Connection, RowMapping, select
 
-from .damage import DamagedError, Damages, as_number, plain
+from .damage import Damages, is_whole, plain, text_of
 from .entries import Change, enter
 from .tables import entry, mark
 
@@ -64,11 +64,8 @@ def differing(connection: Connection, sheet: str) -> list[Differing]:
     rows = connection.execute(query.where(mark.c.sheet == sheet).order_by(mark.c.entry))
     given: dict[tuple[str, str, str], dict[str, float]] = {}
     for row in rows.mappings():
-        try:
-            points = as_number(row["points"])
-        except DamagedError:
-            continue
-        if points is not None:
+        points = row["points"]
+        if points is not None and is_whole(row, mark):
             place = (row["student"], row["part"], row["answer"])
             given.setdefault(place, {})[row["author"]] = points
     found: list[Differing] = []
@@ -87,10 +84,10 @@ def that_count(connection: Connection, sheet: str, damages: Damages) -> dict[tup
 
     marks: dict[tuple[str, str], Mark] = {}
     for (student, part), row in last.items():
-        try:
-            points = as_number(row["points"])
-        except DamagedError:
-            damages.add(sheet, student, f"the mark of {part}", "`kinegrade marks set` enters it")
+        points = row["points"]
+        if not is_whole(row, mark) or (points is not None and points < 0):
+            what = f"the mark of {text_of(part, 'a part')}"
+            damages.add("mark", sheet, student, what, "`kinegrade marks set` enters it")
             continue
         marks[student, part] = Mark(
             student, sheet, part, points, row["comment"], row["answer"], row["ticks"]

@@ -1,5 +1,7 @@
 """The tables of a gradebook. Rows are only ever added; where several speak, the newest counts."""
 
+from typing import Any
+
 from sqlalchemy import (
     Boolean,
     Column,
@@ -15,6 +17,19 @@ from sqlalchemy import (
 
 LEDGER = MetaData()
 VERSION = "3"  # of the newest file in migrations/versions; the first format had no migrations
+
+
+class Flag(Boolean):
+    """A truth value; what else SQLite holds in its place stays as it is, so that it is seen."""
+
+    def result_processor(self, dialect: Any, coltype: object) -> Any:  # noqa: ARG002 - SQLAlchemy's
+        """Reads 0 and 1."""
+        return _truth
+
+
+def _truth(cell: Any) -> Any:
+    return bool(cell) if cell in (0, 1) else cell
+
 
 version = Table(
     "alembic_version",  # the table and the column in which Alembic looks
@@ -100,7 +115,7 @@ finding = Table(
     Column("place", Integer, primary_key=True, autoincrement=False),  # of the verdict
     Column("number", Integer, primary_key=True, autoincrement=False),
     Column("text", Text, nullable=False),
-    Column("private", Boolean, nullable=False),
+    Column("private", Flag, nullable=False),
 )
 counted = Table(
     "counted",
@@ -155,7 +170,7 @@ extension = Table(
     Column("student", String, primary_key=True),
     Column("sheet", String, primary_key=True),
     Column("until", String),  # ISO 8601; none: the deadline of all
-    Column("excused", Boolean, nullable=False),
+    Column("excused", Flag, nullable=False),
     Index("extension_sheet", "sheet", "student"),
 )
 """Another deadline for one student, or a sheet that does not count for one."""

@@ -7,12 +7,15 @@ from typing import Any, Literal
 
 from sqlalchemy import Connection, RowMapping, Table, select
 
-from .damage import DamagedError, as_number, loaded, plain
+from .damage import DamagedError, Damages, check_row, is_whole, loaded, plain, text_of
 from .database import Database
 from .entries import Change, enter
 from .tables import acceptance, arrival, entry, extension, mark, published, request
 
 Accepted = Literal["finding", "answer"]
+UNKNOWN = "an unknown time"
+EVERYBODY = "everybody"
+"""Of whom damage is told that is no single student's."""
 
 
 @dataclass(frozen=True)
@@ -69,17 +72,22 @@ class Publication:
 class TermLedger:
     """These rows of a gradebook. Of the same thing, the newest row counts."""
 
-    def __init__(self, database: Database) -> None:
-        """Reads and writes in a gradebook that is open."""
+    def __init__(self, database: Database, damages: Damages) -> None:
+        """Reads and writes in a gradebook that is open, and notes in `damages` what is damaged."""
         self._database = database
+        self._damages = damages
 
     def arrivals(self, sheet: str) -> dict[tuple[str, str], datetime]:
         """When submissions were handed in, by student and hash."""
+        last = {(row["student"], row["hash"]): row for row in self._rows(arrival, sheet)}
         found: dict[tuple[str, str], datetime] = {}
-        for row in self._rows(arrival, sheet):
-            time = _time(row["at"])
-            if time is not None:
-                found[row["student"], row["hash"]] = time
+        for place, row in last.items():
+            try:
+                check_row(row, arrival)
+                found[place] = _time(row["at"])
+            except DamagedError:
+                what, mended = "the time of a file", "`kinegrade grade` takes that of the file"
+                self._damages.add("arrival", sheet, row["student"], what, mended)
         return found
 
     def note_arrivals(self, sheet: str, times: Mapping[tuple[str, str], datetime]) -> None:
@@ -93,9 +101,16 @@ class TermLedger:
 
     def extensions(self, sheet: str) -> dict[str, Extension]:
         """Student to what was granted."""
+        last = {row["student"]: row for row in self._rows(extension, sheet)}
         found: dict[str, Extension] = {}
-        for row in self._rows(extension, sheet):
-            found[row["student"]] = Extension(_time(row["until"]), bool(row["excused"]))
+        for student, row in last.items():
+            try:
+                check_row(row, extension)
+                until = None if row["until"] is None else _time(row["until"])
+                found[student] = Extension(until, row["excused"])
+            except DamagedError:
+                mended = "`kinegrade extend` or `kinegrade excuse` enters it"
+                self._damages.add("extension", sheet, student, "the extension", mended)
         return found
 
     def extend(self, student: str, sheet: str, given: Extension, change: Change) -> None:
@@ -106,13 +121,22 @@ class TermLedger:
 
     def acceptances(self, sheet: str) -> list[Acceptance]:
         """What is accepted on a sheet."""
-        found: dict[tuple[str, str, str], Acceptance] = {}
+        last: dict[tuple[str, str, str], Mapping[str, Any]] = {}
         for row in self._rows(acceptance, sheet):
             key = (row["part"], row["kind"], row["text"])
-            found.pop(key, None)
-            share = _number(row["share"])
+            last.pop(key, None)
+            last[key] = row
+
+        found: list[Acceptance] = []
+        for row in last.values():
+            if not is_whole(row, acceptance):
+                what = f"what is accepted of {text_of(row['part'], 'a part')}"
+                mended = "`kinegrade accept` enters it"
+                self._damages.add("acceptance", sheet, EVERYBODY, what, mended)
+                continue
+            share = row["share"]
             if share is not None:
-                found[key] = Acceptance(
+                one = Acceptance(
                     sheet,
                     row["part"],
                     row["kind"],
@@ -121,7 +145,8 @@ class TermLedger:
                     row["reason"],
                     row["entry"],
                 )
-        return list(found.values())
+                found.append(one)
+        return found
 
     def accept(self, given: Acceptance, change: Change, *, no_longer: bool = False) -> None:
         """Accepts for everybody, from now on; or no longer."""
@@ -134,6 +159,10 @@ class TermLedger:
         answered = self._marked(sheet)
         last: dict[tuple[str, str], Request] = {}
         for row in self._rows(request, sheet):
+            if not is_whole(row, request):
+                mended = "ask what it was"
+                self._damages.add("request", sheet, row["student"], "a request", mended)
+                continue
             student, part = row["student"], row["part"]
             since = answered.get((student, part), 0) > row["entry"]
             last[student, part] = Request(student, sheet, part, row["text"], row["at"], since)
@@ -150,13 +179,15 @@ class TermLedger:
 
     def published(self, sheet: str) -> dict[str, Publication]:
         """Student to the result that was told last; one that is damaged counts as none."""
+        last = {row["student"]: row for row in self._rows(published, sheet)}
         found: dict[str, Publication] = {}
-        for row in self._rows(published, sheet):
+        for student, row in last.items():
             try:
-                result = loaded(row["result"], dict)
+                check_row(row, published)
+                found[student] = Publication(row["at"], loaded(row["result"], dict))
             except DamagedError:
-                continue
-            found[row["student"]] = Publication(row["at"], result)
+                mended = "put a backup back, or `kinegrade publish` tells it anew"
+                self._damages.add("published", sheet, student, "what was published", mended)
         return found
 
     def publish(self, sheet: str, results: Mapping[str, str], change: Change) -> None:
@@ -164,22 +195,30 @@ class TermLedger:
         rows = [{"student": student, "result": text} for student, text in results.items()]
         self._add(published, sheet, rows, change)
 
-    def _rows(self, table: Table, sheet: str) -> Iterable[RowMapping]:
-        """The rows of a sheet, the oldest first, with time and reason of their changes."""
+    def _rows(self, table: Table, sheet: str) -> Iterable[Mapping[str, Any]]:
+        """The rows of a sheet, the oldest first, with time and reason of their changes.
+
+        Many rows have one change: where that is damaged, nobody is to blame.
+        """
         query = select(table, entry.c.at, entry.c.reason)
         if "at" in table.c:
             query = select(table, entry.c.reason)
         query = query.join(entry, entry.c.id == table.c.entry)
         query = query.where(table.c.sheet == sheet).order_by(table.c.entry)
         with self._database.reading() as connection:
-            return connection.execute(query).mappings().all()
+            rows = connection.execute(query).mappings().all()
+        return [_said(row, table) for row in rows]
 
     def _marked(self, sheet: str) -> dict[tuple[str, str], int]:
         """The newest entry of a mark or comment, by student and part."""
         query = select(mark.c.student, mark.c.part, mark.c.entry).where(mark.c.sheet == sheet)
         with self._database.reading() as connection:
             rows = connection.execute(query.order_by(mark.c.entry)).all()
-        return {(student, part): number for student, part, number in rows}
+        found: dict[tuple[str, str], int] = {}
+        for student, part, number in rows:
+            if isinstance(number, int):
+                found[student, part] = number
+        return found
 
     def _add(
         self, table: Table, sheet: str, rows: Collection[dict[str, Any]], change: Change
@@ -203,16 +242,24 @@ def _insert(
         connection.execute(table.insert().values(entry=number, sheet=sheet, **row))
 
 
-def _time(text: str | None) -> datetime | None:
-    """None where there is none, or the row is damaged."""
-    try:
-        return datetime.fromisoformat(text or "")
-    except ValueError:
-        return None
+def _said(row: RowMapping, table: Table) -> dict[str, Any]:
+    """A row with what is only shown of its change, as far as that can be read."""
+    told = {**row, "reason": text_of(row["reason"], "")}
+    if "at" not in table.c:
+        told["at"] = text_of(row["at"], UNKNOWN)
+    return told
 
 
-def _number(cell: Any) -> float | None:
+def _time(text: str) -> datetime:
+    """The time of a cell.
+
+    Raises:
+        DamagedError: it tells none.
+    """
     try:
-        return as_number(cell)
-    except DamagedError:
-        return None
+        found = datetime.fromisoformat(text)
+    except ValueError as error:
+        raise DamagedError from error
+    if found.tzinfo is None:  # it cannot be held against a deadline
+        raise DamagedError
+    return found

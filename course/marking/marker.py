@@ -80,7 +80,7 @@ class SheetMarker:
             accept_change=accept_change,
             before_accepting=lambda student: drop_solutions(course, sheet, student),
         )
-        damaged = gradebook.damaged(sheet.name)
+        damaged = gradebook.damaged(sheet.name, "record")
         self._refuse_a_lost_gradebook(damaged)
         self._incoming = Incoming(
             course, sheet, self._exercises, holding.rules, self._handed_out, damaged, self._place
@@ -140,7 +140,8 @@ class SheetMarker:
                 self._done[student.id] = found
                 step()
 
-        known = self.gradebook.graded([job.key for job in jobs])
+        worth = {name: part.points for name, part in self._parts.items()}
+        known = self.gradebook.graded([job.key for job in jobs], worth)
         todo: list[Job] = []
         counting: list[GradeKey] = []
         for job in jobs:

@@ -25,6 +25,10 @@ from ..settings.config import Course, Sheet
 from .how import AS_USUAL, How, this_machine
 from .sheets import Marked, mark_sheets
 
+UNKNOWN_LEVEL = (
+    "At which level notebooks were run cannot be read: a row of the gradebook is damaged."
+)
+
 
 def mark_and_write(
     course: Course, gradebook: Gradebook, sheets: Sequence[Sheet], how: How = AS_USUAL
@@ -71,7 +75,16 @@ def write_results(course: Course, gradebook: Gradebook, machine: Place, marked: 
             write_all_feedback(course, gradebook, sheet, machine, step)
     asked = [read_requests(course, gradebook, sheet.sheet) for sheet in sheets]
     level = level_line(gradebook.noted_level())
+    _say_damages(gradebook, sheets)
     return write_report(course, sheets, level, list(chain.from_iterable(asked)))
+
+
+def _say_damages(gradebook: Gradebook, sheets: Sequence[SheetResults]) -> None:
+    """Names every row that was read and could not be."""
+    for sheet in sheets:
+        name = sheet.sheet.name
+        for sentence in gradebook.damaged(name).values():
+            say(f"Sheet {name}: {sentence}.")
 
 
 def _with_recorded(course: Course, gradebook: Gradebook, marked: Marked) -> Marked:
@@ -110,6 +123,8 @@ def level_line(level: str) -> str:
     """A sentence on what stood between the notebooks and this machine; empty where none ran."""
     if not level:
         return ""
+    if level not in WALLS:
+        return UNKNOWN_LEVEL
     return f"Notebooks were run at level {level} - {WALLS[Level(level)]}."
 
 

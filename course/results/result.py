@@ -1,7 +1,8 @@
 """What a student got for a sheet, whether it was marked just now or stands in the gradebook."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
+from ...grader.marking.verdict import not_graded
 from ..ledger.gradebook import Gradebook
 from ..ledger.term import Acceptance
 from ..settings.asked import asked_parts, exercises_of
@@ -11,6 +12,8 @@ from ..term.result import UNSAFE_STAMP, Attempts, Result
 from ..term.standing import Standing
 from .hand_ins import HandIns
 
+COSTLY = ("mark", "extension", "arrival")
+"""Tables of which a damaged row leaves a student's points open."""
 __all__ = ["UNSAFE_STAMP", "Attempts", "Result", "recorded_results", "standing"]
 
 
@@ -24,18 +27,33 @@ def recorded_results(
 
     `accepted` is as in `standing`.
     """
-    current = gradebook.current(sheet.name)
-    damaged = gradebook.damaged(sheet.name)
+    current = gradebook.current(sheet.name, asked_parts(exercises_of(course, sheet)))
     hand_ins = HandIns(course, sheet)
     results: list[Result] = []
     for student in course.students:
-        if student.id in damaged or student.id not in current:
-            reason = damaged.get(student.id, "nothing marked yet")
-            results.append(Result(student, sheet.name, reason=reason))
+        if student.id not in current:
+            results.append(Result(student, sheet.name, reason="nothing marked yet"))
             continue
         others = hand_ins.unread(student.id)
         results.append(Result(student, sheet.name, tuple(current[student.id]), passed_over=others))
+    results = damaged_wait(course, sheet, results, gradebook.damaged(sheet.name, "grade"))
     return standing(course, gradebook, sheet, results, accepted)
+
+
+def damaged_wait(
+    course: Course, sheet: Sheet, results: Sequence[Result], damaged: Mapping[str, str]
+) -> list[Result]:
+    """Results, but for those whose row is damaged: all their parts wait, and it is said why."""
+    parts = asked_parts(exercises_of(course, sheet)).values()
+    found: list[Result] = []
+    for result in results:
+        reason = damaged.get(result.student.id)
+        if reason is None:
+            found.append(result)
+            continue
+        verdicts = tuple(not_graded(part.variable, part.points, reason) for part in parts)
+        found.append(Result(result.student, sheet.name, verdicts, reason=reason))
+    return found
 
 
 def standing(
@@ -63,4 +81,5 @@ def standing(
         attempts=attempts,
         published=term.published(sheet.name),
     )
-    return found.of(results)
+    damaged = gradebook.damaged(sheet.name, *COSTLY)
+    return found.of(damaged_wait(course, sheet, results, damaged))
