@@ -529,6 +529,17 @@ def test_a_lost_gradebook_is_not_taken_for_an_empty_one(folder):
         graded(folder)
 
 
+def test_a_report_is_not_written_from_a_lost_gradebook(folder, kinegrade):
+    assert kinegrade("report", "-c", folder).code == 0
+    grades = (folder / "grades.csv").read_bytes()
+    ran = kinegrade("report", "-c", folder, "--gradebook", folder / "gradebok.sqlite")
+    assert ran.code == 1
+    assert "gradebok.sqlite knows nothing of sheet one, though it was released" in ran.err
+    (folder / "gradebook.sqlite").unlink()
+    assert kinegrade("report", "-c", folder).code == 1
+    assert (folder / "grades.csv").read_bytes() == grades
+
+
 def test_other_versions_of_a_file_are_named_and_files_of_other_sheets_are_not(folder):
     for name in (
         "one (2).ipynb",

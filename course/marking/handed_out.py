@@ -93,6 +93,25 @@ def _accepted(record: Record, exercise: Exercise, gradebook: Gradebook) -> Recor
     return replace(record, answers=answers)
 
 
+def refuse_a_lost_gradebook(
+    course: Course, gradebook: Gradebook, sheet: Sheet, *, nothing: bool
+) -> None:
+    """What was released is in the gradebook; `nothing` says whether it has no record of the sheet.
+
+    Raises:
+        CourseError: the sheet was handed out, but the gradebook knows nothing of it.
+    """
+    if not nothing or gradebook.damaged(sheet.name, "record"):
+        return
+    suffix = course.settings.formats[0]
+    if any(course.folder.glob(f"released/*/{sheet.name}.{suffix}")):
+        raise CourseError(
+            f"{gradebook.place} knows nothing of sheet {sheet.name}, though it was released; "
+            "put the backup back, or run `kinegrade generate`, which draws the same numbers from "
+            "the same secret"
+        )
+
+
 def drop_solutions(course: Course, sheet: Sheet, student: str) -> None:
     """Removes the worked solutions of a student's sheet, which are no longer right."""
     for suffix in get_args(Format):

@@ -1,6 +1,6 @@
 """Marking a class: every submission on its own, every grade saved as it comes, nothing twice."""
 
-from collections.abc import Callable, Collection, Generator, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Generator, Iterable, Sequence
 from contextlib import closing
 from dataclasses import replace
 from typing import TYPE_CHECKING
@@ -16,9 +16,9 @@ from ..ledger.gradebook import Gradebook, GradeKey
 from ..results.result import UNSAFE_STAMP, Result, standing
 from ..results.same_numbers import marked_for_it, same_numbers, tells
 from ..settings.asked import asked_parts, exercises_of
-from ..settings.config import Course, CourseError, Sheet, Student
+from ..settings.config import Course, Sheet, Student
 from .arrivals import note_arrivals
-from .handed_out import HandedOut, drop_solutions
+from .handed_out import HandedOut, drop_solutions, refuse_a_lost_gradebook
 from .incoming import Arrival, Incoming
 from .jobs import Desk, Job, job_of
 from .owners import Owners
@@ -80,8 +80,8 @@ class SheetMarker:
             accept_change=accept_change,
             before_accepting=lambda student: drop_solutions(course, sheet, student),
         )
+        refuse_a_lost_gradebook(course, gradebook, sheet, nothing=self._handed_out.nothing)
         damaged = gradebook.damaged(sheet.name, "record")
-        self._refuse_a_lost_gradebook(damaged)
         self._incoming = Incoming(
             course, sheet, self._exercises, holding.rules, self._handed_out, damaged, self._place
         )
@@ -98,16 +98,6 @@ class SheetMarker:
     def accepted(self) -> frozenset[str]:
         """Students whose answers changed since the hand-out, which was accepted just now."""
         return self._handed_out.accepted
-
-    def _refuse_a_lost_gradebook(self, damaged: Mapping[str, str]) -> None:
-        suffix = self.course.settings.formats[0]
-        released = self.course.folder.glob(f"released/*/{self.sheet.name}.{suffix}")
-        if self._handed_out.nothing and not damaged and any(released):
-            raise CourseError(
-                f"{self.gradebook.place} knows nothing of sheet "
-                f"{self.sheet.name}, though it was released; put the backup back, or run "
-                "`kinegrade generate`, which draws the same numbers from the same secret"
-            )
 
     def results(self, step: Callable[[], None] = lambda: None) -> list[Result]:
         """A result for every student of the roster, in its order; `step` is called after each.

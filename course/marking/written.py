@@ -22,6 +22,7 @@ from ..results.result import Result, recorded_results
 from ..results.tables import legend, print_table
 from ..settings.asked import exercises_of
 from ..settings.config import Course, Sheet
+from .handed_out import refuse_a_lost_gradebook
 from .how import AS_USUAL, How, this_machine
 from .sheets import Marked, mark_sheets
 
@@ -49,7 +50,7 @@ def write_recorded(course: Course, gradebook: Gradebook) -> Path:
     """All that follows from the marks in the gradebook, without marking; the report's path.
 
     Raises:
-        KinegradeError: no sheet can be read.
+        KinegradeError: no sheet can be read, or the gradebook of released sheets is lost.
     """
     with this_machine(course) as machine:
         return write_results(course, gradebook, machine, [])
@@ -62,7 +63,7 @@ def write_results(course: Course, gradebook: Gradebook, machine: Place, marked: 
     others.
 
     Raises:
-        KinegradeError: no sheet can be read.
+        KinegradeError: no sheet can be read, or the gradebook of released sheets is lost.
     """
     sheets: list[SheetResults] = []
     for sheet, results in _with_recorded(course, gradebook, marked):
@@ -92,7 +93,11 @@ def _with_recorded(course: Course, gradebook: Gradebook, marked: Marked) -> Mark
     fresh = {sheet.name: results for sheet, results in marked}
     reported: Marked = []
     for sheet in _reported(course):
-        results = fresh.get(sheet.name) or recorded_results(course, gradebook, sheet)
+        results = fresh.get(sheet.name)
+        if not results:
+            nothing = not gradebook.records(sheet.name)
+            refuse_a_lost_gradebook(course, gradebook, sheet, nothing=nothing)
+            results = recorded_results(course, gradebook, sheet)
         reported.append((sheet, results))
     return reported
 
