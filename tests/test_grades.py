@@ -2,6 +2,7 @@
 
 import csv
 import io
+from pathlib import Path
 
 import pytest
 from courses import lever
@@ -76,6 +77,21 @@ def test_a_grade_that_is_not_there_is_empty(sheet):
     assert (waiting["one_points"], waiting["lever_p"], waiting["lever_J"]) == ("", "2", "")
     assert (absent["points"], absent["one_out_of"], absent["lever_p"]) == ("", "", "")
     assert (absent["status"], absent["one_status"]) == ("no_submission", "no_submission")
+
+
+def test_before_anybody_has_marks_nobody_is_excused(sheet):
+    one = sheet(Result(ADA, "one", reason="nothing marked yet"))
+    assert [total.status for total in totals([one])] == ["not_graded"]
+    two = sheet(Result(ADA, "one", HALF), Result(BEN, "one", HALF, excused=True))
+    assert [total.status for total in totals([two])] == ["graded", "excused"]
+
+
+@pytest.mark.parametrize(
+    "status", ["graded", "incomplete", "not_graded", "no_submission", "excused"]
+)
+def test_every_status_is_explained(status):
+    pages = Path(__file__).parents[1] / "docs" / "pages.md"
+    assert f"\n| {status} | " in pages.read_text(encoding="utf-8")
 
 
 def test_the_columns_of_the_roster_are_kept(sheet):

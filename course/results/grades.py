@@ -92,7 +92,7 @@ def totals(sheets: Sequence[SheetResults]) -> list[Total]:
             counting = _counting(these, i)
             if counting is not None:
                 own.append(counting)
-        found.append(_total(result.student, own))
+        found.append(_total(result.student, own, due=bool(tries)))
     return found
 
 
@@ -136,7 +136,8 @@ def _most(one: _Counting) -> tuple[bool, float]:
     return bool(one.result.verdicts), -1.0 if one.points is None else one.points
 
 
-def _total(student: Student, own: Sequence[_Counting]) -> Total:
+def _total(student: Student, own: Sequence[_Counting], *, due: bool) -> Total:
+    """The sum of what counts; `due` says whether anything is, for anybody."""
     points, out_of = 0.0, 0.0
     missing, status = list[str](), "graded"
     for one in own:
@@ -148,8 +149,10 @@ def _total(student: Student, own: Sequence[_Counting]) -> Total:
         else:
             points += one.points
 
-    if len(missing) == len(own):
-        status = "no_submission" if own else "excused"
+    if not own:
+        status = "excused" if due else "not_graded"
+    elif len(missing) == len(own):
+        status = "no_submission"
     elif missing and status == "graded":
         status = "incomplete"
     known = round(points, 2) if status in ("graded", "incomplete") else None
