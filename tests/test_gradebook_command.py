@@ -1,12 +1,15 @@
 """`kinegrade gradebook`: the history of a sheet is printed, and a copy holds all there is."""
 
 import re
+import sqlite3
 import stat
 
 import pytest
 from courses import CLASS, enrol, hand_in, handed_out, make_course, right_answers
+from kinegrade.course.ledger.entries import Change
 from kinegrade.course.ledger.gradebook import Gradebook, Mark
 from kinegrade.course.ledger.tables import LEDGER
+from kinegrade.course.ledger.term import Extension
 from sqlalchemy import select
 
 LINE = r"\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d  one  \S+  "
@@ -97,3 +100,29 @@ def test_nobody_has_no_history_and_who_left_still_has_one(kinegrade, folder):
     enrol(folder, CLASS[1:])
     ran = kinegrade("gradebook", "history", "ada", "-c", folder)
     assert (ran.code, "marked: 5 of 5" in ran.out) == (0, True)
+
+
+@pytest.mark.parametrize(
+    ("damage", "named"),
+    [
+        (
+            "UPDATE extension SET excused = 'nonsense'",
+            "table extension with student ada, sheet one",
+        ),
+        ("UPDATE counted SET grade = 99999", "table counted with student ada, sheet one"),
+    ],
+)
+def test_a_damaged_row_that_cannot_be_copied_is_named_and_nothing_is_left(
+    kinegrade, folder, tmp_path, damage, named
+):
+    with Gradebook(folder / "gradebook.sqlite") as gradebook:
+        gradebook.term.extend("ada", "one", Extension(excused=True), Change())
+    with sqlite3.connect(folder / "gradebook.sqlite") as connection:
+        connection.execute(damage)
+    connection.close()
+    ran = kinegrade("gradebook", "copy", tmp_path / "copy.sqlite", "-c", folder)
+    assert ran.code == 1
+    assert f"gradebook.sqlite: the row of {named}" in " ".join(ran.err.split())
+    assert "is damaged, and nothing was copied" in " ".join(ran.err.split())
+    assert "SQL" not in ran.err
+    assert not (tmp_path / "copy.sqlite").exists()

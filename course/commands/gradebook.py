@@ -44,6 +44,12 @@ def copy_gradebook(
     from ..ledger.copying import copy_ledger
     from ..ledger.gradebook import Gradebook
 
-    with opened(folder, place) as (_, gradebook), Gradebook(target) as other:
-        changes = copy_ledger(gradebook.database, other.database)
-        say(f"{changes} changes copied from {gradebook.place} to {other.place}.")
+    is_new = not Path(target).exists()
+    try:
+        with opened(folder, place) as (_, gradebook), Gradebook(target) as other:
+            changes = copy_ledger(gradebook.database, other.database)
+            say(f"{changes} changes copied from {gradebook.place} to {other.place}.")
+    except BaseException:
+        if is_new:  # half a copy is none
+            Path(target).unlink(missing_ok=True)
+        raise
