@@ -166,3 +166,27 @@ def test_a_grade_that_cannot_be_is_not_believed_and_marked_anew(course, kinegrad
     assert "`kinegrade grade` marks anew" in err
     assert kinegrade("grade", "-c", course).code == 0
     assert rows(course)["ben"] == before
+
+
+OTHERS = (
+    ("gradebook", "history", "ben"),
+    ("gradebook", "copy", "copy.sqlite"),
+    ("marks", "list"),
+    ("marks", "differing"),
+    ("marks", "requests"),
+)
+"""Commands that read the gradebook for people to look at."""
+
+
+@pytest.mark.parametrize("value", VALUES)
+@pytest.mark.parametrize(("table", "column"), COLUMNS)
+def test_whoever_looks_at_a_damaged_cell_gets_no_crash(
+    course, kinegrade, monkeypatch, table, column, value
+):
+    where = OF_BEN.get(table, "student = 'ben'")
+    statement = f"UPDATE {table} SET {column} = {VALUES[value]} WHERE {where}"  # noqa: S608
+    if not damaged(course, statement):
+        pytest.skip("SQLite does not store it")
+    monkeypatch.chdir(course)
+    for command in OTHERS:
+        assert "our fault" not in kinegrade(*command).err, command

@@ -2,10 +2,11 @@
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from typing import Any
 
 from sqlalchemy import Connection, RowMapping, Table, select
 
-from .damage import DamagedError, as_number
+from .damage import DamagedError, as_number, is_whole
 from .tables import (
     counted,
     entry,
@@ -21,6 +22,7 @@ from .tables import (
 )
 
 SHORT = 8  # characters of a hash
+UNKNOWN = "unknown"  # when and by whom, where the row of a change is damaged
 Told = Iterator[tuple[int, str]]
 """The number of an entry, and a sentence."""
 
@@ -47,13 +49,18 @@ def history(connection: Connection, student: str, sheet: str) -> list[Event]:
     entries = {row["id"]: row for row in rows}
     events: list[Event] = []
     for entry_number, what in told:
-        row = entries[entry_number]
-        events.append(Event(row["at"], row["author"], what, row["reason"]))
+        row = entries.get(entry_number)
+        if row is None or not is_whole(row, entry):
+            events.append(Event(UNKNOWN, UNKNOWN, what))
+        else:
+            events.append(Event(row["at"], row["author"], what, row["reason"]))
     return events
 
 
 def _number(one: tuple[int, str]) -> int:
-    return one[0]
+    """In which order it is told; what is damaged comes first."""
+    number: Any = one[0]
+    return number if isinstance(number, int) else 0
 
 
 def _rows(connection: Connection, table: Table, student: str, sheet: str) -> Iterator[RowMapping]:
