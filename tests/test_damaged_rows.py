@@ -190,3 +190,10 @@ def test_whoever_looks_at_a_damaged_cell_gets_no_crash(
     monkeypatch.chdir(course)
     for command in OTHERS:
         assert "our fault" not in kinegrade(*command).err, command
+
+
+def test_a_damaged_grade_of_somebody_who_is_not_marked_now_waits(course, kinegrade):
+    damaged(course, "DELETE FROM published")
+    assert damaged(course, f"UPDATE verdict SET points = 1000 WHERE {OF_BENS_GRADE}")  # noqa: S608
+    assert kinegrade("grade", "--student", "ada", "-c", course).code == 0
+    assert rows(course)["ben"]["one_status"] == "not_graded"

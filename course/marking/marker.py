@@ -147,13 +147,18 @@ class SheetMarker:
 
     def _take_recorded(self, step: Callable[[], None]) -> None:
         """What the gradebook has of those who are not marked now."""
-        current = self.gradebook.current(self.sheet.name)
+        current = self.gradebook.current(self.sheet.name, self._parts)
+        damaged = self.gradebook.damaged(self.sheet.name, "grade")
         for student in self.course.students:
-            if student.id not in self._only:
+            if student.id in self._only:
+                continue
+            if student.id in damaged:
+                self._done[student.id] = self._incoming.waits(student, damaged[student.id])
+            else:
                 verdicts = tuple(current.get(student.id, ()))
                 reason = "" if verdicts else "nothing marked yet"
                 self._done[student.id] = Result(student, self.sheet.name, verdicts, reason)
-                step()
+            step()
 
     def _unfinished(self, verdicts: Sequence[Verdict]) -> bool:
         """Whether the grader left something open; what is marked by hand is not its business."""
