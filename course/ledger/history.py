@@ -44,7 +44,7 @@ def history(connection: Connection, student: str, sheet: str) -> list[Event]:
         told += tell(connection, student, sheet)
     told.sort(key=_number)
 
-    numbers = {entry_number for entry_number, _ in told}
+    numbers = {*map(_number, told)}
     rows = connection.execute(select(entry).where(entry.c.id.in_(numbers))).mappings()
     entries = {row["id"]: row for row in rows}
     events: list[Event] = []
