@@ -4,6 +4,7 @@ import csv
 import io
 import shutil
 import sqlite3
+from contextlib import closing
 
 import pytest
 from courses import hand_in, handed_out, make_course, marked, right_answers
@@ -15,15 +16,23 @@ from kinegrade.course.marking.second_looks import publish, to_publish
 from kinegrade.course.marking.written import write_recorded
 from kinegrade.course.sheet.about import REQUEST
 from kinegrade.course.term.opinions import answer_id
-from sqlalchemy import select
+from sqlalchemy import Integer, select
 
 TIMED = 'deadline = "2099-06-30 23:59"\nlate_percent = 10\n'
 VALUES = {"bytes": "x'ff'", "nonsense": "'nonsense'"}
+
+
+def takes_anything(column):
+    """Whether SQLite keeps any value in it; the number that a row goes by takes integers alone."""
+    is_only_key = column.primary_key and len(column.table.primary_key) == 1
+    return not (is_only_key and isinstance(column.type, Integer))
+
+
 COLUMNS = [
     (table.name, column.name)
     for table in LEDGER.sorted_tables
     for column in table.c
-    if table.name != "alembic_version"
+    if table.name != "alembic_version" and takes_anything(column)
 ]
 OF_BEN = {
     "entry": "id IN (SELECT entry FROM extension WHERE student = 'ben')",
@@ -74,15 +83,9 @@ def course(whole, tmp_path):
 
 
 def damaged(folder, statement):
-    """Damages rows; whether SQLite stored it."""
-    connection = sqlite3.connect(folder / "gradebook.sqlite")
-    try:
-        with connection:
-            return connection.execute(statement).rowcount
-    except (sqlite3.IntegrityError, sqlite3.DataError):
-        return 0
-    finally:
-        connection.close()
+    """Damages rows, and says how many."""
+    with closing(sqlite3.connect(folder / "gradebook.sqlite")) as connection, connection:
+        return connection.execute(statement).rowcount
 
 
 def rows(folder):
@@ -98,8 +101,7 @@ def test_a_damaged_cell_never_costs_anybody_else(course, kinegrade, table, colum
         assert damaged(course, "DELETE FROM published")
     where = OF_BEN.get(table, "student = 'ben'")
     statement = f"UPDATE {table} SET {column} = {VALUES[value]} WHERE {where}"  # noqa: S608
-    if not damaged(course, statement):
-        pytest.skip("SQLite does not store it")
+    assert damaged(course, statement)
     for command in ("report", "grade"):
         ran = kinegrade(command, "-c", course)
         assert "our fault" not in ran.err
@@ -185,8 +187,7 @@ def test_whoever_looks_at_a_damaged_cell_gets_no_crash(
 ):
     where = OF_BEN.get(table, "student = 'ben'")
     statement = f"UPDATE {table} SET {column} = {VALUES[value]} WHERE {where}"  # noqa: S608
-    if not damaged(course, statement):
-        pytest.skip("SQLite does not store it")
+    assert damaged(course, statement)
     monkeypatch.chdir(course)
     for command in OTHERS:
         assert "our fault" not in kinegrade(*command).err, command
