@@ -45,7 +45,7 @@ class Place(Protocol):
     ) -> Generator[tuple[K, R | BaseException]]:
         """Does pieces of work as they are taken in, and gives back each with its key.
 
-        They come as they are done. About `expected` of them will be there.
+        They come as they are done. About `expected` of them will be there, or more.
         """
         ...
 

@@ -2,7 +2,9 @@
 
 import json
 from collections.abc import Callable, Collection, Mapping
+from functools import cache
 from math import isfinite
+from types import NoneType
 from typing import Any
 
 from sqlalchemy import RowMapping, Table
@@ -51,15 +53,24 @@ def check_row(row: RowMapping | Mapping[str, Any], table: Table) -> None:
     Raises:
         DamagedError: one is not.
     """
-    for column in table.c:
-        cell = row[column.name]
-        if cell is None and column.nullable:
-            continue
-        kind = column.type.python_type
-        if kind is float:
-            as_number(cell)
-        if not isinstance(cell, (float, int) if kind is float else kind):
+    for name, kinds in _takes(table):
+        cell = row[name]
+        if not isinstance(cell, kinds) or (isinstance(cell, float) and not isfinite(cell)):
             raise DamagedError
+
+
+@cache
+def _takes(table: Table) -> list[tuple[str, tuple[type, ...]]]:
+    """What the cells of each column are, by its name; asked once, and not for every row."""
+    found: list[tuple[str, tuple[type, ...]]] = []
+    for column in table.c:
+        kinds = (column.type.python_type,)
+        if kinds == (float,):
+            kinds = (float, int)
+        if column.nullable:
+            kinds = (*kinds, NoneType)
+        found.append((column.name, kinds))
+    return found
 
 
 def is_whole(row: RowMapping | Mapping[str, Any], table: Table) -> bool:

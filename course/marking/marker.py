@@ -68,27 +68,25 @@ class SheetMarker:
         self._only = only
         self.absent: dict[str, set[str]] = {}  # students by the package that their notebooks miss
         self._place = place
-        self._exercises = exercises_of(course, sheet)
-        self._parts = asked_parts(self._exercises)
+        exercises = exercises_of(course, sheet)
+        self._parts = asked_parts(exercises)
 
         holding = Holding(course, sheet.name, sheet.exercises)
         self._handed_out = HandedOut(
             gradebook,
             sheet.name,
-            self._exercises,
-            lambda records: holding.moved(records, self._place),
+            exercises,
+            lambda records: holding.moved(records, place),
             accept_change=accept_change,
             before_accepting=lambda student: drop_solutions(course, sheet, student),
         )
         refuse_a_lost_gradebook(course, gradebook, sheet, nothing=self._handed_out.nothing)
         damaged = gradebook.damaged(sheet.name, "record")
         self._incoming = Incoming(
-            course, sheet, self._exercises, holding.rules, self._handed_out, damaged, self._place
+            course, sheet, exercises, holding.rules, self._handed_out, damaged, place
         )
-        self._desk = Desk(
-            course, sheet, self._exercises, self._incoming, self._handed_out, self._place
-        )
-        self._owners = Owners(self._exercises, self._handed_out.answers)
+        self._desk = Desk(course, sheet, exercises, self._incoming, self._handed_out, place)
+        self._owners = Owners(exercises, self._handed_out.answers)
         self._saving = Saving(gradebook)
         self._done: dict[str, Result] = {}
         self._arrived: dict[tuple[str, str], Path] = {}  # files by student and hash

@@ -12,7 +12,6 @@ from ..settings.config import Course, CourseError, Sheet
 from ..sheet.about import NOTEBOOK
 from ..sheet.handed_in import strangers
 from ..sheet.handout import read_handout
-from ..text.escape import printable
 from .how import AS_USUAL, How, marking_place
 from .marker import SheetMarker
 
@@ -101,7 +100,7 @@ def _say_absent(sheet: Sheet, absent: Mapping[str, Collection[str]]) -> None:
     for package, students in absent.items():
         who = ", ".join(sorted(students))
         say(
-            f"Sheet {sheet.name}: notebooks ask for {printable(package)}, which is not there "
+            f"Sheet {sheet.name}: notebooks ask for {package}, which is not there "
             f"({who}). If the course wants it, install it, list it under [packages] in "
             "course.toml, and `kinegrade grade --again`."
         )

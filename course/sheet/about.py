@@ -2,6 +2,7 @@
 
 import json
 import re
+from collections import deque
 from itertools import islice
 from typing import Any
 
@@ -41,8 +42,10 @@ def whose(data: bytes, ending: str) -> tuple[str, str]:
     """Sheet and student of a handed-out notebook or script; empty where it does not say."""
     if ending not in (NOTEBOOK, SCRIPT) or len(data) > MAX_READ:
         return "", ""
-    found = LINE.finditer(data) if ending == SCRIPT else ENTRY.finditer(data)
-    for entry in islice(found, MAX_ENTRIES):
+    found = islice(ENTRY.finditer(data), MAX_ENTRIES)
+    if ending == SCRIPT:
+        found = deque(LINE.finditer(data), maxlen=1)  # the last one, as `read_about` has it
+    for entry in found:
         about = _object_at(data, entry.start(1))
         if "sheet" in about and "student" in about:
             return str(about["sheet"]), str(about["student"])
